@@ -1,0 +1,61 @@
+# Plain `make` lists the targets. What they install comes from the lock files, into .venv.
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help demo test check format lock clean
+
+OLD_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
+
+# The first Python on this machine that is new enough; 3.11 first, since that is what we test with.
+PYTHON ?= $(shell for python in python3.11 python3 python3.12 python3.13 python3.14 python; do \
+	$$python -c '$(OLD_ENOUGH)' 2>/dev/null && echo $$python && break; done)
+
+define need-python
+test -n "$(PYTHON)" && $(PYTHON) -c '$(OLD_ENOUGH)' 2>/dev/null || { \
+	echo "plainspoken needs Python 3.11 or newer; $(or $(PYTHON),python3) says: $$($(or $(PYTHON),python3) --version 2>&1)" >&2; \
+	echo "Install one, or name one: make $(MAKECMDGOALS) PYTHON=/path/to/python3.12" >&2; exit 1; }
+endef
+
+UV := uv==0.13.9
+BIN := .venv/bin
+
+help: ## list the targets (this is what plain `make` does)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+demo: .venv/run.stamp ## the whole story on the bundled vineyard: no network after setup, no key, no server
+	@$(BIN)/plainspoken demo
+
+test: .venv/dev.stamp ## every test
+	@$(BIN)/pytest -n auto
+
+check: .venv/dev.stamp ## lint, format, types, and which room may import which
+	@failed=; for tool in 'ruff check' 'ruff format --check' 'mypy' 'lint-imports --no-logo'; do \
+		echo "== $$tool"; $(BIN)/$$tool || failed="$$failed\n  $$tool"; \
+	done; [ -z "$$failed" ] || { printf "\nfailed:$$failed\n" >&2; exit 1; }
+
+format: .venv/dev.stamp ## rewrite the code as the linter and the formatter would have it
+	@$(BIN)/ruff check --fix-only
+	@$(BIN)/ruff format
+
+lock: ## resolve the newest allowed versions into both lock files, with hashes
+	@$(need-python)
+	@tool=$$(mktemp -d) && trap 'rm -rf "$$tool"' EXIT \
+	&& $(PYTHON) -m venv "$$tool" && "$$tool/bin/pip" install --quiet '$(UV)' \
+	&& compile() { "$$tool/bin/uv" --quiet --no-config pip compile pyproject.toml --upgrade \
+		--universal --python-version 3.11 --generate-hashes --no-annotate \
+		--no-emit-index-url --no-emit-find-links --custom-compile-command 'make lock' "$$@"; } \
+	&& compile --group build --output-file requirements.lock \
+	&& compile --group dev --constraint requirements.lock --output-file requirements-dev.lock
+	@echo 'plainspoken: wrote requirements.lock and requirements-dev.lock'
+
+clean: ## remove .venv and every cache
+	rm -rf .venv .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
+	find src tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
+
+.venv/run.stamp: requirements.lock pyproject.toml
+	@$(need-python)
+	@$(PYTHON) tools/environment.py run
+
+.venv/dev.stamp: requirements-dev.lock requirements.lock pyproject.toml
+	@$(need-python)
+	@$(PYTHON) tools/environment.py dev

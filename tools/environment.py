@@ -1,0 +1,108 @@
+"""Make .venv what the lock files say, once, however many ask for it at the same time.
+
+usage: environment.py run     what `plainspoken` needs
+       environment.py dev     that, and what tests and checks need
+
+A stamp in .venv holds the digest of what was installed, and is written last: a setup that was
+interrupted has none and is started afresh. A file lock makes a second caller wait for the first.
+The Makefile calls this only when a stamp is missing or older than what it depends on.
+"""
+
+import fcntl
+import hashlib
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+VENV = ROOT / ".venv"
+LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}
+PROJECT = ROOT / "pyproject.toml"
+
+
+def digest(*files: Path) -> str:
+    """Name the content of the files and the interpreter, wherever they lie."""
+    seen = hashlib.sha256(sys.version.encode())
+    for file in files:
+        seen.update(hashlib.sha256(file.read_bytes()).digest())
+    return seen.hexdigest()
+
+
+@contextmanager
+def only_one(lock: Path) -> Iterator[None]:
+    """Hold the file lock; it is freed when this process ends, however it ends."""
+    with lock.open("w") as held:
+        try:
+            fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say("another setup of .venv is under way; waiting for it")
+            fcntl.flock(held, fcntl.LOCK_EX)
+        yield
+
+
+def say(sentence: str) -> None:
+    """Tell the person at the terminal, beside and not inside a command's own output."""
+    print(f"plainspoken: {sentence}", file=sys.stderr, flush=True)
+
+
+def pip(*arguments: str) -> None:
+    """Run the environment's own pip, without its advice to upgrade itself."""
+    quiet = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+    subprocess.run([VENV / "bin" / "python", "-m", "pip", *arguments], check=True, env=quiet)
+
+
+def is_fresh(stamp: Path, content: str) -> bool:
+    """Tell whether the stamp was written for just this content."""
+    return stamp.exists() and stamp.read_text() == content
+
+
+def ensure_run() -> None:
+    """Install the locked dependencies and the package itself, editable."""
+    stamp = VENV / "run.stamp"
+    content = digest(LOCKS["run"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("setting up .venv from requirements.lock (once, some ten seconds)")
+    subprocess.run([sys.executable, "-m", "venv", "--clear", VENV], check=True)
+    pip("install", "--quiet", "--require-hashes", "--requirement", str(LOCKS["run"]))
+    pip("install", "--quiet", "--no-deps", "--no-build-isolation", "--editable", str(ROOT))
+    stamp.write_text(content)
+
+
+def ensure_dev() -> None:
+    """Add the locked tools for tests and checks."""
+    ensure_run()
+    stamp = VENV / "dev.stamp"
+    content = digest(LOCKS["dev"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("adding what tests and checks need from requirements-dev.lock (once, some ten seconds)")
+    pip("install", "--quiet", "--require-hashes", "--requirement", str(LOCKS["dev"]))
+    stamp.write_text(content)
+
+
+def main(arguments: list[str]) -> int:
+    """Set up what was asked for; return the exit code."""
+    if arguments not in (["run"], ["dev"]):
+        print(__doc__, file=sys.stderr)
+        return 2
+    started = time.monotonic()
+    try:
+        with only_one(ROOT / ".venv.flock"):
+            ensure_run() if arguments == ["run"] else ensure_dev()
+    except subprocess.CalledProcessError as failure:
+        say(f"setup failed at: {' '.join(map(str, failure.cmd))}")
+        say("its reason is above. Once that is mended, the same command starts afresh.")
+        return 1
+    say(f".venv is ready ({time.monotonic() - started:.0f} s)")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
