@@ -1,0 +1,1 @@
+"""What can be spoken of: planning domains, their symbols and landmarks, scenes and events."""

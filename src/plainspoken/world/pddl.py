@@ -1,0 +1,159 @@
+"""PDDL files in: text to `Domain` and `Problem`, forgiving of what is found in the wild.
+
+Missing requirements, missing `:parameters` and a problem that names its domain otherwise are read
+with a warning, sections in any order. What cannot be planned for (numbers, durations, derived
+predicates) is refused by name and line.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping
+from pathlib import Path
+
+from plainspoken.world.domain import AllOf, Condition, Domain, Parameter, Problem, ground
+from plainspoken.world.expression import SUPPORTED_HINT, UNSUPPORTED, Expression, PddlFile
+from plainspoken.world.schema import SchemaReader
+
+log = logging.getLogger(__name__)
+
+_DOMAIN_SECTIONS = (":requirements", ":types", ":constants", ":predicates", ":action")
+_PROBLEM_SECTIONS = (":domain", ":requirements", ":objects", ":init", ":goal", ":metric")
+
+
+def read_domain(path: str | Path) -> Domain:
+    """Read a PDDL domain file.
+
+    raises InputFileError: with the line, when it is no domain that we can plan in
+    """
+    file = PddlFile(path)
+    name, sections = _sections(file, "domain", _DOMAIN_SECTIONS)
+    types: dict[str, str] = {}
+    constants: dict[str, str] = {}
+    predicates: dict[str, tuple[Parameter, ...]] = {}
+    for section in sections:
+        if section[0] == ":types":
+            types = _objects(file, section)
+            types.pop("object", None)
+            _refuse_cycles(file, types, section)
+        elif section[0] == ":constants":
+            constants = _objects(file, section)
+        elif section[0] == ":predicates":
+            predicates = dict(_predicate(file, one, section) for one in section[1:])
+    domain = Domain(name, types, constants, predicates, ())
+    for section in sections:
+        if section[0] == ":constants":
+            _check_types(file, section, domain)
+        elif section[0] == ":predicates":
+            for entry in section[1:]:
+                if isinstance(entry, Expression):
+                    _check_types(file, entry, domain)
+    schemas = [section for section in sections if section[0] == ":action"]
+    actions = tuple(SchemaReader(file, domain).action(schema) for schema in schemas)
+    required = {word for section in sections if section[0] == ":requirements" for word in section}
+    if ":non-deterministic" not in required and any(map(_has_oneof, schemas)):
+        log.warning("%s: oneof without the requirement :non-deterministic", path)
+    return Domain(name, types, constants, predicates, actions)
+
+
+def read_problem(path: str | Path, domain: Domain) -> Problem:
+    """Read a PDDL problem file of a domain.
+
+    raises InputFileError: with the line
+    """
+    file = PddlFile(path)
+    name, sections = _sections(file, "problem", _PROBLEM_SECTIONS)
+    by_name = {str(section[0]): section for section in sections}
+    named = by_name.get(":domain", Expression())[1:]
+    if named != [domain.name]:
+        shown = " ".join(map(str, named)) or "no domain"
+        log.warning("%s: the problem is for %s, planning with %s", path, shown, domain.name)
+    objects = dict(domain.constants)
+    if ":objects" in by_name:
+        objects.update(_objects(file, by_name[":objects"]))
+        _check_types(file, by_name[":objects"], domain)
+    if ":init" not in by_name:
+        file.fail("a problem needs an (:init ...)", file.root)
+    reader = SchemaReader(file, domain, objects)
+    goal: Condition = AllOf()
+    if ":goal" in by_name and len(by_name[":goal"]) > 1:
+        goal = reader.condition(by_name[":goal"][1], by_name[":goal"])
+    initial = _initial(file, by_name[":init"], reader)
+    return Problem(name, domain, objects, initial, goal, str(path))
+
+
+def _initial(file: PddlFile, section: Expression, reader: SchemaReader) -> frozenset[str]:
+    true: set[str] = set()
+    for literal in section[1:]:
+        if not isinstance(literal, Expression) or not literal:
+            file.expected("an atom such as (robot-at rob l0)", literal, section)
+        if literal[0] == "=":
+            file.fail("not supported: numeric fluents (=)", literal, SUPPORTED_HINT)
+        if literal[0] == "not":
+            continue  # what is not said to be true is false anyway
+        true.add(ground(reader.atom(literal), {}))
+    return frozenset(true)
+
+
+def _sections(file: PddlFile, kind: str, known: tuple[str, ...]) -> tuple[str, list[Expression]]:
+    """The name of a domain or problem, and its sections."""
+    match file.root[:2]:
+        case ["define", [("domain" | "problem") as found, str(name)] as head]:
+            if found != kind:
+                file.fail(
+                    f"this is a {found} file, expected a {kind}",
+                    head,
+                    "are domain and problem swapped?",
+                )
+        case _:
+            file.expected(f"(define ({kind} NAME) ...)", file.root, file.root)
+    sections = []
+    for section in file.root[2:]:
+        if not isinstance(section, Expression) or not section:
+            file.expected("a section such as (:init ...)", section, file.root)
+        word = str(section[0])
+        if word in UNSUPPORTED and len(section) > 1:
+            file.not_supported(word, section)
+        if word not in known and word not in UNSUPPORTED:
+            file.fail(f"unknown section {word}", section, f"sections: {' '.join(known)}")
+        sections.append(section)
+    return name, sections
+
+
+def _objects(file: PddlFile, section: Expression) -> dict[str, str]:
+    """Names and their one type: objects, constants, or types and their parents."""
+    found = {}
+    for name, types in file.typed(section[1:], section):
+        if len(types) != 1:
+            file.fail(f"{name} needs one type, not (either ...)", section)
+        found[name] = types[0]
+    return found
+
+
+def _predicate(
+    file: PddlFile, entry: Expression | str, at: Expression
+) -> tuple[str, tuple[Parameter, ...]]:
+    if not isinstance(entry, Expression) or not entry or not isinstance(entry[0], str):
+        file.expected("a predicate such as (robot-at ?r - robot)", entry, at)
+    return entry[0], file.parameters(entry[1:], entry)
+
+
+def _check_types(file: PddlFile, entry: Expression, domain: Domain) -> None:
+    known = {"object", *domain.types, *domain.types.values()}
+    for name, types in file.typed(entry[1:], entry):
+        for each in types:
+            if each not in known:
+                file.fail(f"{name} has the unknown type {each!r}", entry)
+
+
+def _refuse_cycles(file: PddlFile, types: Mapping[str, str], at: Expression) -> None:
+    for start in types:
+        seen = [start]
+        while (parent := types.get(seen[-1], "object")) != "object":
+            if parent in seen:
+                file.fail(f"the type {start!r} is below itself", at)
+            seen.append(parent)
+
+
+def _has_oneof(entry: Expression | str) -> bool:
+    return isinstance(entry, Expression) and (entry[:1] == ["oneof"] or any(map(_has_oneof, entry)))
