@@ -1,0 +1,1 @@
+"""Formulas read one instant at a time: progression, small automata on demand, running verdicts."""
