@@ -29,6 +29,18 @@ class PlainspokenError(Exception):
             lines.append(f"hint: {self.hint}")
         return "\n".join(lines)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        # Pickle would call the class with `args`, and subclasses take more than one line of text.
+        return _revived, (type(self), self.what, self.__dict__)
+
+
+def _revived(
+    kind: type[PlainspokenError], what: str, fields: dict[str, object]
+) -> PlainspokenError:
+    error = kind.__new__(kind, what)
+    error.__dict__.update(fields)
+    return error
+
 
 class FormulaSyntaxError(PlainspokenError):
     """A text is not an LTLf formula.
@@ -92,9 +104,24 @@ class UnknownSymbolError(PlainspokenError):
         super().__init__(f"the planning problem has no symbol {symbol!r}", where=where, hint=hint)
 
 
+class AmbiguousSymbolError(PlainspokenError):
+    """An id can be read as several atoms or actions of the planning problem.
+
+    readings: in PDDL
+    """
+
+    def __init__(self, symbol: str, readings: Iterable[str]) -> None:
+        self.symbol = symbol
+        self.readings = tuple(readings)
+        super().__init__(
+            f"the symbol {symbol!r} can be read as {' or '.join(self.readings)}",
+            hint="rename one of the objects in the planning problem",
+        )
+
+
 def _window(text: str, column: int, width: int = 72) -> tuple[str, int]:
     """Cut a long line to what surrounds the column, on one line."""
-    flat = text.replace("\n", " ").replace("\t", " ")
+    flat = "".join(character if character.isprintable() else " " for character in text)
     if len(flat) <= width:
         return flat, column
     start = max(0, min(column - width // 2, len(flat) - width))

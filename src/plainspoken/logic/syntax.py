@@ -33,11 +33,14 @@ from plainspoken.logic.formula import (
     Until,
     WeakNext,
     WeakUntil,
+    children,
 )
 
 OPERATORS = "! & | -> <-> X (strong next) WX (weak next) F G U W R true false"
-DEEPEST = 150
+DEEPEST = 100
 """Operators nested deeper than this are refused: no mission needs them, and recursion ends."""
+MOST_EQUIVALENCES = 8
+"""More `<->` inside each other are refused: the normal form doubles with each of them."""
 
 SPELLINGS = {
     "&&": "&",
@@ -59,11 +62,15 @@ _PREFIX: dict[str, Callable[[Formula], Formula]] = {
     "F": Eventually,
     "G": Always,
 }
-_TEMPORAL: dict[str, Callable[[Formula, Formula], Formula]] = {
+_BINARY: dict[str, Callable[[Formula, Formula], Formula]] = {
+    "<->": Iff,
+    "->": Implies,
     "U": Until,
     "W": WeakUntil,
     "R": Release,
 }
+_BINDING = {"<->": 0, "->": 1, "|": 2, "&": 3, "U": 4, "W": 4, "R": 4}
+"""How tightly each binds."""
 _UNARY_SYMBOL = {Not: "!", Next: "X ", WeakNext: "WX ", Eventually: "F ", Always: "G "}
 _BINARY_SYMBOL = {Implies: "->", Iff: "<->", Until: "U", WeakUntil: "W", Release: "R"}
 
@@ -73,6 +80,7 @@ _TOKEN = re.compile(
     r"|(?P<other>\S))"
 )
 _PREFIX_RUN = re.compile(r"[FGX]{2,}$")
+_TOO_DEEP = f"operators are nested deeper than {DEEPEST}"
 
 
 class _Token(NamedTuple):
@@ -93,7 +101,7 @@ def is_proposition(name: str) -> bool:
     return (
         re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) is not None
         and name not in _PREFIX
-        and name not in _TEMPORAL
+        and name not in _BINARY
         and name not in ("true", "false")
         and not _PREFIX_RUN.match(name)
     )
@@ -135,65 +143,49 @@ class _Parser:
     def formula(self) -> Formula:
         if len(self._tokens) == 1:
             raise self._error(0, "the formula is empty")
-        formula = self._iff()
+        formula = self._expression()
         token = self._tokens[self._index]
         if token.text:
             raise self._error(token.column, "expected an operator or the end")
+        self._refuse_deep(formula)
         return formula
 
-    def _nested(self, rule: Callable[[], Formula]) -> Formula:
+    def _expression(self, weakest: int = 0) -> Formula:
+        """A formula whose operators outside parentheses bind at least as tightly as `weakest`."""
         self._depth += 1
-        if self._depth > DEEPEST:
-            column = self._tokens[self._index].column
-            raise self._error(column, f"operators are nested deeper than {DEEPEST}")
-        formula = rule()
+        if self._depth > 2 * DEEPEST + 1:  # an operator may cost a '(' as well
+            raise self._error(self._tokens[self._index].column, _TOO_DEEP)
+        left = self._prefixed()
+        mark = self._tokens[self._index].text
+        while (binding := _BINDING.get(mark, -1)) >= weakest:
+            self._index += 1
+            if mark in ("&", "|"):
+                operands = [left, self._expression(binding + 1)]
+                while self._take(mark):
+                    operands.append(self._expression(binding + 1))
+                left = And(tuple(operands)) if mark == "&" else Or(tuple(operands))
+            elif mark == "<->":
+                left = Iff(left, self._expression(binding + 1))
+            else:  # to the right: a U b U c is a U (b U c)
+                left = _BINARY[mark](left, self._expression(binding))
+            mark = self._tokens[self._index].text
         self._depth -= 1
+        return left
+
+    def _prefixed(self) -> Formula:
+        prefixes = []
+        while (prefix := _PREFIX.get(self._tokens[self._index].text)) is not None:
+            prefixes.append(prefix)
+            self._index += 1
+        formula = self._primary()
+        for prefix in reversed(prefixes):
+            formula = prefix(formula)
         return formula
 
-    def _iff(self) -> Formula:
-        left = self._implies()
-        count = 0
-        while self._take("<->"):
-            count += 1
-            if count > DEEPEST:
-                raise self._error(self._tokens[self._index].column, "too long a chain of '<->'")
-            left = Iff(left, self._implies())
-        return left
-
-    def _implies(self) -> Formula:
-        left = self._or()
-        if self._take("->"):
-            return Implies(left, self._nested(self._implies))
-        return left
-
-    def _or(self) -> Formula:
-        operands = [self._and()]
-        while self._take("|"):
-            operands.append(self._and())
-        return operands[0] if len(operands) == 1 else Or(tuple(operands))
-
-    def _and(self) -> Formula:
-        operands = [self._temporal()]
-        while self._take("&"):
-            operands.append(self._temporal())
-        return operands[0] if len(operands) == 1 else And(tuple(operands))
-
-    def _temporal(self) -> Formula:
-        left = self._unary()
-        operator = _TEMPORAL.get(self._tokens[self._index].text)
-        if operator is None:
-            return left
-        self._index += 1
-        return operator(left, self._nested(self._temporal))
-
-    def _unary(self) -> Formula:
+    def _primary(self) -> Formula:
         token = self._tokens[self._index]
-        operator = _PREFIX.get(token.text)
-        if operator is not None:
-            self._index += 1
-            return operator(self._nested(self._unary))
         if self._take("("):
-            inner = self._nested(self._iff)
+            inner = self._expression()
             if not self._take(")"):
                 raise self._error(self._tokens[self._index].column, "expected an operator or ')'")
             return inner
@@ -205,6 +197,18 @@ class _Parser:
             self._index += 1
             return Atom(token.text)
         raise self._error(token.column, "expected a proposition, a prefix operator or '('")
+
+    def _refuse_deep(self, formula: Formula) -> None:
+        # Without recursion: chains such as a <-> b <-> c nest deeper than the parser went.
+        todo = [(formula, 0, 0)]
+        while todo:
+            part, depth, equivalences = todo.pop()
+            equivalences += isinstance(part, Iff)
+            if depth > DEEPEST:
+                raise self._error(0, _TOO_DEEP)
+            if equivalences > MOST_EQUIVALENCES:
+                raise self._error(0, f"more than {MOST_EQUIVALENCES} '<->' inside each other")
+            todo += [(child, depth + 1, equivalences) for child in children(part)]
 
 
 def unparse(formula: Formula) -> str:

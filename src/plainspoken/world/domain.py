@@ -142,6 +142,13 @@ class Domain:
     predicates: Mapping[str, tuple[Parameter, ...]]
     actions: tuple[Action, ...]
 
+    def ancestors(self, type: str) -> Iterator[str]:
+        """The type itself, its parent and so on up to `object`."""
+        while type != "object":
+            yield type
+            type = self.types.get(type, "object")
+        yield type
+
 
 @dataclass(frozen=True)
 class Problem:
@@ -163,18 +170,9 @@ class Problem:
     def _objects_by_type(self) -> dict[str, tuple[str, ...]]:
         found: dict[str, list[str]] = {}
         for name, own in self.objects.items():
-            for each in self._ancestors(own):
+            for each in self.domain.ancestors(own):
                 found.setdefault(each, []).append(name)
         return {each: tuple(names) for each, names in found.items()}
-
-    def _ancestors(self, own: str) -> Iterator[str]:
-        seen = set()
-        while own not in seen:
-            seen.add(own)
-            yield own
-            own = self.domain.types.get(own, "object")
-        if "object" not in seen:
-            yield "object"
 
     def objects_for(self, parameter: Parameter) -> tuple[str, ...]:
         """The objects that fit a parameter, in the order of the problem file."""

@@ -209,6 +209,9 @@ Event = (
     | MissionEnded
 )
 
+Stated = MissionAccepted | ActionFinished | ActionFailed | ObservationMade | ReportReceived
+"""The events that hold a state; those of an instant's first entry say how it began."""
+
 KINDS: Mapping[str, type[Event]] = {
     event.kind: event
     for event in (

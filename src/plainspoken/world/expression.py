@@ -52,6 +52,8 @@ def parse_expression(text: str, path: str | Path) -> Expression:
     root = Expression()
     stack = [root]
     line = 1
+    ended = 0  # the line that closes the first expression
+    unclosed: Expression | None = None  # a section that another one begins in
     for match in _TOKEN.finditer(text.lower()):
         token = match.group()
         if token == "\n":
@@ -65,35 +67,67 @@ def parse_expression(text: str, path: str | Path) -> Expression:
                 raise InputFileError(f"nested deeper than {DEEPEST}", path, line=line)
         elif token == ")":
             if len(stack) == 1:
-                raise InputFileError("a ')' too many", path, line=line)
+                raise _one_too_many(path, line if len(root) == 1 else ended or line)
             stack.pop()
+            if len(stack) == 1:
+                ended = ended or line
         elif token[0] != ";":
+            if token[0] == ":" and not stack[-1] and len(stack) > 3 and unclosed is None:
+                unclosed = stack[2]
             stack[-1].append(token)
     if len(stack) > 1:
         raise InputFileError(
-            "a '(' is never closed", path, line=stack[-1].line, hint="count the parentheses"
+            "a '(' is never closed",
+            path,
+            line=(unclosed or stack[-1]).line,
+            hint="count the parentheses of what begins on this line",
         )
-    if len(root) != 1 or not isinstance(root[0], Expression):
+    match root:
+        case [Expression() as only]:
+            return only
+        case [["define", *_], ["define", *_], *_]:
+            raise InputFileError(
+                "more than one (define ...)",
+                path,
+                line=root[1].line if isinstance(root[1], Expression) else None,
+                hint="domain and problem are two files",
+            )
+        case [["define", *_], _, *_]:
+            raise _one_too_many(path, ended)
+        case _:
+            raise InputFileError(
+                "not a PDDL file: expected one (define ...)", path, hint="is it the right file?"
+            )
+
+
+def _one_too_many(path: str | Path, line: int) -> InputFileError:
+    return InputFileError(
+        "a ')' too many", path, line=line, hint="the first (...) of the file ends before it should"
+    )
+
+
+def read_text(path: str | Path) -> str:
+    """The text of a file in UTF-8.
+
+    raises InputFileError: when it cannot be read
+    """
+    try:
+        return Path(path).read_text(encoding="utf-8-sig")
+    except OSError as error:
         raise InputFileError(
-            "not a PDDL file: expected one (define ...)", path, hint="is it the right file?"
-        )
-    return root[0]
+            f"cannot read the file: {error.strerror}", path, hint="check the path"
+        ) from error
+    except UnicodeDecodeError as error:
+        raise InputFileError("not a text file in UTF-8", path) from error
 
 
 class PddlFile:
     """One file as an expression; its methods read lists and raise errors that name the line."""
 
-    def __init__(self, path: str | Path) -> None:
+    def __init__(self, path: str | Path, text: str | None = None) -> None:
+        """Read a file; with a text, that one, and path is for the errors only."""
         self.path = path
-        try:
-            text = Path(path).read_text(encoding="utf-8-sig")
-        except OSError as error:
-            raise InputFileError(
-                f"cannot read the file: {error.strerror}", path, hint="check the path"
-            ) from error
-        except UnicodeDecodeError as error:
-            raise InputFileError("not a text file in UTF-8", path) from error
-        self.root = parse_expression(text, path)
+        self.root = parse_expression(read_text(path) if text is None else text, path)
 
     def fail(self, what: str, at: Expression, hint: str | None = None) -> NoReturn:
         raise InputFileError(what, self.path, line=at.line or None, hint=hint)
@@ -112,7 +146,7 @@ class PddlFile:
         waiting: list[str] = []
         rest = iter(words)
         for word in rest:
-            if isinstance(word, Expression):
+            if isinstance(word, Expression) or (word[0] == "-" and word != "-"):
                 self.expected("a name", word, at)
             if word != "-":
                 waiting.append(word)
@@ -123,7 +157,7 @@ class PddlFile:
             elif isinstance(kind, str):
                 types = (kind,)
             else:
-                self.expected("a type after '-'", str(kind), at)
+                self.expected("a type after '-'", "nothing" if kind is None else kind, at)
             yield from ((name, types) for name in waiting)
             waiting = []
         yield from ((name, ("object",)) for name in waiting)

@@ -13,7 +13,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
-from plainspoken.errors import InputFileError, UnknownSymbolError
+from plainspoken.errors import AmbiguousSymbolError, InputFileError, UnknownSymbolError
 from plainspoken.logic.syntax import is_proposition
 from plainspoken.world.domain import Parameter, Problem
 from plainspoken.world.symbol import SymbolId, flat, resolve
@@ -98,7 +98,7 @@ def landmarks_from_json(
         if problem is not None:
             try:
                 resolve(id, problem)
-            except UnknownSymbolError as error:
+            except (UnknownSymbolError, AmbiguousSymbolError) as error:
                 raise InputFileError(error.what, path, field=id, hint=error.hint) from error
     return landmarks
 

@@ -26,7 +26,34 @@ def read_domain(path: str | Path) -> Domain:
 
     raises InputFileError: with the line, when it is no domain that we can plan in
     """
-    file = PddlFile(path)
+    return _domain(PddlFile(path))
+
+
+def parse_domain(text: str, source: str) -> Domain:
+    """The domain that a text defines; source names it in errors.
+
+    raises InputFileError: with the line, when it is no domain that we can plan in
+    """
+    return _domain(PddlFile(source, text))
+
+
+def read_problem(path: str | Path, domain: Domain) -> Problem:
+    """Read a PDDL problem file of a domain.
+
+    raises InputFileError: with the line
+    """
+    return _problem(PddlFile(path), domain)
+
+
+def parse_problem(text: str, domain: Domain, source: str) -> Problem:
+    """The problem of a domain that a text defines; source names it in errors.
+
+    raises InputFileError: with the line
+    """
+    return _problem(PddlFile(source, text), domain)
+
+
+def _domain(file: PddlFile) -> Domain:
     name, sections = _sections(file, "domain", _DOMAIN_SECTIONS)
     types: dict[str, str] = {}
     constants: dict[str, str] = {}
@@ -39,7 +66,7 @@ def read_domain(path: str | Path) -> Domain:
         elif section[0] == ":constants":
             constants = _objects(file, section)
         elif section[0] == ":predicates":
-            predicates = dict(_predicate(file, one, section) for one in section[1:])
+            predicates = _predicates(file, section)
     domain = Domain(name, types, constants, predicates, ())
     for section in sections:
         if section[0] == ":constants":
@@ -52,34 +79,34 @@ def read_domain(path: str | Path) -> Domain:
     actions = tuple(SchemaReader(file, domain).action(schema) for schema in schemas)
     required = {word for section in sections if section[0] == ":requirements" for word in section}
     if ":non-deterministic" not in required and any(map(_has_oneof, schemas)):
-        log.warning("%s: oneof without the requirement :non-deterministic", path)
+        log.warning("%s: oneof without the requirement :non-deterministic", file.path)
     return Domain(name, types, constants, predicates, actions)
 
 
-def read_problem(path: str | Path, domain: Domain) -> Problem:
-    """Read a PDDL problem file of a domain.
-
-    raises InputFileError: with the line
-    """
-    file = PddlFile(path)
+def _problem(file: PddlFile, domain: Domain) -> Problem:
     name, sections = _sections(file, "problem", _PROBLEM_SECTIONS)
     by_name = {str(section[0]): section for section in sections}
     named = by_name.get(":domain", Expression())[1:]
     if named != [domain.name]:
         shown = " ".join(map(str, named)) or "no domain"
-        log.warning("%s: the problem is for %s, planning with %s", path, shown, domain.name)
+        log.warning("%s: the problem is for %s, planning with %s", file.path, shown, domain.name)
     objects = dict(domain.constants)
     if ":objects" in by_name:
-        objects.update(_objects(file, by_name[":objects"]))
-        _check_types(file, by_name[":objects"], domain)
+        section = by_name[":objects"]
+        for one, type in _objects(file, section).items():
+            if objects.setdefault(one, type) != type:
+                file.fail(f"{one} is a {type} here and a {objects[one]} in the domain", section)
+        _check_types(file, section, domain)
     if ":init" not in by_name:
         file.fail("a problem needs an (:init ...)", file.root)
     reader = SchemaReader(file, domain, objects)
     goal: Condition = AllOf()
     if ":goal" in by_name and len(by_name[":goal"]) > 1:
+        if len(by_name[":goal"]) > 2:
+            file.expected("one condition as the goal", by_name[":goal"][2], by_name[":goal"])
         goal = reader.condition(by_name[":goal"][1], by_name[":goal"])
     initial = _initial(file, by_name[":init"], reader)
-    return Problem(name, domain, objects, initial, goal, str(path))
+    return Problem(name, domain, objects, initial, goal, str(file.path))
 
 
 def _initial(file: PddlFile, section: Expression, reader: SchemaReader) -> frozenset[str]:
@@ -90,6 +117,7 @@ def _initial(file: PddlFile, section: Expression, reader: SchemaReader) -> froze
         if literal[0] == "=":
             file.fail("not supported: numeric fluents (=)", literal, SUPPORTED_HINT)
         if literal[0] == "not":
+            reader.condition(literal, section)
             continue  # what is not said to be true is false anyway
         true.add(ground(reader.atom(literal), {}))
     return frozenset(true)
@@ -107,7 +135,7 @@ def _sections(file: PddlFile, kind: str, known: tuple[str, ...]) -> tuple[str, l
                 )
         case _:
             file.expected(f"(define ({kind} NAME) ...)", file.root, file.root)
-    sections = []
+    sections: list[Expression] = []
     for section in file.root[2:]:
         if not isinstance(section, Expression) or not section:
             file.expected("a section such as (:init ...)", section, file.root)
@@ -116,26 +144,39 @@ def _sections(file: PddlFile, kind: str, known: tuple[str, ...]) -> tuple[str, l
             file.not_supported(word, section)
         if word not in known and word not in UNSUPPORTED:
             file.fail(f"unknown section {word}", section, f"sections: {' '.join(known)}")
+        if word != ":action" and any(section[0] == other[0] for other in sections):
+            file.fail(f"a second {word} section", section, "make one of the two")
         sections.append(section)
     return name, sections
 
 
 def _objects(file: PddlFile, section: Expression) -> dict[str, str]:
     """Names and their one type: objects, constants, or types and their parents."""
-    found = {}
+    found: dict[str, str] = {}
     for name, types in file.typed(section[1:], section):
         if len(types) != 1:
             file.fail(f"{name} needs one type, not (either ...)", section)
-        found[name] = types[0]
+        if name.startswith("?"):
+            file.expected("a name without a question mark", name, section)
+        if found.setdefault(name, types[0]) != types[0]:
+            file.fail(f"{name} is a {found[name]} and a {types[0]}", section, "give it one type")
     return found
 
 
-def _predicate(
-    file: PddlFile, entry: Expression | str, at: Expression
-) -> tuple[str, tuple[Parameter, ...]]:
-    if not isinstance(entry, Expression) or not entry or not isinstance(entry[0], str):
-        file.expected("a predicate such as (robot-at ?r - robot)", entry, at)
-    return entry[0], file.parameters(entry[1:], entry)
+def _predicates(file: PddlFile, section: Expression) -> dict[str, tuple[Parameter, ...]]:
+    found: dict[str, tuple[Parameter, ...]] = {}
+    for entry in section[1:]:
+        if not isinstance(entry, Expression) or not entry or not isinstance(entry[0], str):
+            file.expected("a predicate such as (robot-at ?r - robot)", entry, section)
+        places = file.parameters(entry[1:], entry)
+        if len({place.name for place in places}) < len(places):
+            # `(on ?x ?x)` is found in the wild for a predicate of two arguments.
+            places = tuple(
+                Parameter(f"?{index}", place.types) for index, place in enumerate(places, start=1)
+            )
+        if found.setdefault(entry[0], places) != places:
+            file.fail(f"a second, different predicate {entry[0]}", entry)
+    return found
 
 
 def _check_types(file: PddlFile, entry: Expression, domain: Domain) -> None:

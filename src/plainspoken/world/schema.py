@@ -58,25 +58,31 @@ class SchemaReader:
                 self._file.expected("a part of an action such as :effect (...)", key, section)
             if key not in (":parameters", ":precondition", ":effect"):
                 self._file.fail(f"the action {name} has an unknown part {key}", section)
+            if key in parts:
+                self._file.fail(f"the action {name} has a second {key}", section)
             parts[key] = value
         words = parts.get(":parameters", Expression())
         if ":parameters" not in parts:
             log.warning("%s:%d: action %s has no :parameters", self._file.path, section.line, name)
         if not isinstance(words, Expression):
             self._file.expected(":parameters (?x - type ...)", words, section)
-        parameters = self._file.parameters(words, section)
+        parameters = self._parameters(words, section)
         self._variables = {parameter.name for parameter in parameters}
-        self._known_types(parameters, section)
         precondition = self.condition(parts.get(":precondition", Expression()), section)
         effect = self.effect(parts.get(":effect", Expression()), section)
         return Action(name, parameters, precondition, effect, section.line)
 
-    def _known_types(self, parameters: tuple[Parameter, ...], at: Expression) -> None:
+    def _parameters(self, words: Expression, at: Expression) -> tuple[Parameter, ...]:
+        parameters = self._file.parameters(words, at)
         known = {"object", *self._domain.types, *self._domain.types.values()}
+        names = [parameter.name for parameter in parameters]
         for parameter in parameters:
+            if names.count(parameter.name) > 1:
+                self._file.fail(f"the variable {parameter.name} stands twice", at)
             for each in parameter.types:
                 if each not in known:
                     self._file.fail(f"{parameter.name} has the unknown type {each!r}", at)
+        return parameters
 
     def _term(self, term: Expression | str, at: Expression) -> str:
         if isinstance(term, Expression):
@@ -92,16 +98,25 @@ class SchemaReader:
         name = entry[0]
         if not isinstance(name, str):
             self._file.expected("an atom", entry, entry)
-        if name in UNSUPPORTED:
-            self._file.not_supported(name, entry)
         parameters = self._domain.predicates.get(name)
+        if parameters is None and name in UNSUPPORTED:
+            self._file.not_supported(name, entry)
         if parameters is None:
             self._file.fail(f"there is no predicate {name!r}", entry, self._nearest(name))
         if len(parameters) != len(entry) - 1:
             self._file.fail(
                 f"{name} takes {len(parameters)} arguments, got {len(entry) - 1}", entry
             )
-        return AtomCondition(name, tuple(self._term(term, entry) for term in entry[1:]))
+        terms = tuple(self._term(term, entry) for term in entry[1:])
+        for term, parameter in zip(terms, parameters, strict=True):
+            own = self._objects.get(term)
+            if own is not None and not {*self._domain.ancestors(own)} & {*parameter.types}:
+                wanted = " or ".join(parameter.types)
+                log.warning(
+                    "%s:%d: %s is a %s, where %s takes a %s",
+                    *(self._file.path, entry.line, term, own, name, wanted),
+                )
+        return AtomCondition(name, terms)
 
     def _nearest(self, name: str) -> str:
         return f"the predicates are {', '.join(sorted(self._domain.predicates)) or 'none'}"
@@ -112,8 +127,7 @@ class SchemaReader:
         """The variables and the body of a quantifier."""
         if len(entry) != 3 or not isinstance(entry[1], Expression):
             self._file.expected(f"({entry[0]} (?x - type) ...)", entry, entry)
-        parameters = self._file.parameters(list(entry[1]), entry)
-        self._known_types(parameters, entry)
+        parameters = self._parameters(entry[1], entry)
         outer = self._variables
         self._variables = outer | {parameter.name for parameter in parameters}
         body = read(entry[2], entry)

@@ -7,18 +7,24 @@ An id is a ground atom flattened with underscores (`robot_at_rob_l0`), or an act
     <action>_<arg>_..._executed      the instances with these arguments, in this order
                                      (all of them for one instance; fewer for several)
 
-An action symbol is true at the instant that an execution leads to, and never at s0.
+An action symbol is true at the instant that an execution leads to, and never at s0. Where an id
+can be read in several of these forms, the first one counts; where one form gives several
+readings, as `at_a_b_c` does with objects `a`, `a-b`, `b-c` and `c`, the id is refused.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
-from plainspoken.errors import UnknownSymbolError
-from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
+from plainspoken.errors import AmbiguousSymbolError, UnknownSymbolError
+from plainspoken.world.domain import GroundAction, GroundAtom, Parameter, Problem, State
 
 SymbolId = str
+
+MOST_SUGGESTED = 5000
+"""An unknown id is compared with no more ids than this, which takes a tenth of a second."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,18 +66,17 @@ def flat(text: str) -> str:
 def resolve(symbol: SymbolId, problem: Problem) -> Symbol:
     """What an id denotes in a problem.
 
-    A ground atom goes before an action symbol of the same id.
     raises UnknownSymbolError: when nothing in the problem has this id
+    raises AmbiguousSymbolError: when several ground atoms, or several sets of actions, have it
     """
     wanted = symbol.lower()
-    for predicate, parameters in problem.domain.predicates.items():
-        fitting = [problem.objects_for(parameter) for parameter in parameters]
-        for arguments in _split(_rest(wanted, flat(predicate)), fitting):
-            return AtomSymbol(symbol, " ".join([predicate, *arguments]))
-    action = _action_symbol(symbol, wanted, problem)
-    if action is None:
-        raise UnknownSymbolError(symbol, _some_ids(problem))
-    return action
+    for form in (_atoms, _actions, _actions_of_a_robot, _actions_with_arguments):
+        readings = tuple(dict.fromkeys(form(symbol, wanted, problem)))
+        if len(readings) > 1:
+            raise AmbiguousSymbolError(symbol, map(_in_pddl, readings))
+        if readings:
+            return readings[0]
+    raise UnknownSymbolError(symbol, islice(_some_ids(problem), MOST_SUGGESTED))
 
 
 def resolve_all(symbols: Iterable[SymbolId], problem: Problem) -> tuple[Symbol, ...]:
@@ -94,11 +99,17 @@ def letter(
     )
 
 
+def _in_pddl(symbol: Symbol) -> str:
+    if isinstance(symbol, AtomSymbol):
+        return f"({symbol.atom})"
+    return f"({' '.join([symbol.action, *symbol.arguments])})"
+
+
 def _rest(text: str, head: str) -> str | None:
     """What follows the head: '' for nothing, None when the text does not start with it."""
     if text == head:
         return ""
-    return text[len(head) + 1 :] if text.startswith(head + "_") else None
+    return text[len(head) + 1 :] or None if text.startswith(head + "_") else None
 
 
 def _split(text: str | None, fitting: Sequence[Sequence[str]]) -> Iterator[tuple[str, ...]]:
@@ -114,43 +125,61 @@ def _split(text: str | None, fitting: Sequence[Sequence[str]]) -> Iterator[tuple
             yield (candidate, *others)
 
 
-def _subsequence(text: str, places: Sequence[Sequence[str]]) -> tuple[str, ...] | None:
-    """Read a flattened text as objects for some of the places, in order."""
+def _subsequences(text: str, places: Sequence[Sequence[str]]) -> Iterator[tuple[str, ...]]:
+    """Every way to read a flattened text as objects for some of the places, in order."""
     if not text:
-        return ()
-    for skipped in range(len(places)):
-        for candidate in places[skipped]:
+        yield ()
+        return
+    for place, candidates in enumerate(places, start=1):
+        for candidate in candidates:
             rest = _rest(text, flat(candidate))
             if rest is not None:
-                others = _subsequence(rest, places[skipped + 1 :])
-                if others is not None:
-                    return (candidate, *others)
-    return None
+                for others in _subsequences(rest, places[place:]):
+                    yield (candidate, *others)
 
 
-def _action_symbol(symbol: SymbolId, wanted: str, problem: Problem) -> ActionSymbol | None:
+def _places(parameters: Iterable[Parameter], problem: Problem) -> list[tuple[str, ...]]:
+    return [problem.objects_for(parameter) for parameter in parameters]
+
+
+def _atoms(symbol: SymbolId, wanted: str, problem: Problem) -> Iterator[Symbol]:
+    for predicate, parameters in problem.domain.predicates.items():
+        for arguments in _split(_rest(wanted, flat(predicate)), _places(parameters, problem)):
+            yield AtomSymbol(symbol, " ".join([predicate, *arguments]))
+
+
+def _actions(symbol: SymbolId, wanted: str, problem: Problem) -> Iterator[Symbol]:
     for schema in problem.domain.actions:
-        places = [problem.objects_for(parameter) for parameter in schema.parameters]
-        if wanted.endswith("_executed"):
-            rest = _rest(wanted.removesuffix("_executed"), flat(schema.name))
-            if rest is not None:
-                arguments = _subsequence(rest, places)
-                if arguments is not None:
-                    return ActionSymbol(symbol, schema.name, arguments)
-        robot, separator, name = wanted.partition("_executes_")
-        if separator and name == flat(schema.name):
-            for candidate in dict.fromkeys(o for place in places for o in place):
-                if flat(candidate) == robot:
-                    return ActionSymbol(symbol, schema.name, (candidate,))
-    return None
+        if wanted == f"{flat(schema.name)}_executed":
+            yield ActionSymbol(symbol, schema.name)
+
+
+def _actions_of_a_robot(symbol: SymbolId, wanted: str, problem: Problem) -> Iterator[Symbol]:
+    robot, _, name = wanted.partition("_executes_")
+    for schema in problem.domain.actions:
+        if name == flat(schema.name):
+            for place in _places(schema.parameters, problem):
+                for candidate in place:
+                    if flat(candidate) == robot:
+                        yield ActionSymbol(symbol, schema.name, (candidate,))
+
+
+def _actions_with_arguments(symbol: SymbolId, wanted: str, problem: Problem) -> Iterator[Symbol]:
+    if not wanted.endswith("_executed"):
+        return
+    for schema in problem.domain.actions:
+        text = _rest(wanted.removesuffix("_executed"), flat(schema.name))
+        if text:
+            for arguments in _subsequences(text, _places(schema.parameters, problem)):
+                yield ActionSymbol(symbol, schema.name, arguments)
 
 
 def _some_ids(problem: Problem) -> Iterator[SymbolId]:
-    """Ids to suggest from: the initial state's, the actions', and all atoms of one place."""
-    yield from map(flat, problem.initial)
+    """Ids to suggest from: the actions', the initial state's, and atoms of up to two places."""
+    for schema in problem.domain.actions:
+        yield f"{flat(schema.name)}_executed"
+    yield from sorted(map(flat, problem.initial))
     for predicate, parameters in problem.domain.predicates.items():
         if len(parameters) <= 2:
             for binding in problem.bindings(parameters):
                 yield flat(" ".join([predicate, *binding.values()]))
-    for schema in problem.domain.actions:
-        yield f"{flat(schema.name)}_executed"

@@ -1,0 +1,319 @@
+"""The state of a mission as a frozen value, and how each event changes it.
+
+A mission is the fold of its log: `after` says what one event makes of it, and nothing else does.
+So one that was paused or killed comes back from its entries alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any, assert_never
+
+from plainspoken.automata.progression import all_of, satisfied_at_end
+from plainspoken.automata.verdict import Monitor, Verdict
+from plainspoken.errors import PlainspokenError
+from plainspoken.logic.formula import Constant, Formula, Next, WeakNext, atoms
+from plainspoken.logic.syntax import parse, unparse
+from plainspoken.planning.policy import NodeId, Policy, policy_from_json
+from plainspoken.world.domain import GroundAction, Problem, State
+from plainspoken.world.event import (
+    ActionFailed,
+    ActionFinished,
+    ActionStarted,
+    Cancelled,
+    DeviationNoticed,
+    Entry,
+    Event,
+    Instant,
+    MissionAccepted,
+    MissionEnded,
+    ObservationMade,
+    Paused,
+    PolicyChosen,
+    ReportReceived,
+    Resumed,
+    VerdictReached,
+)
+from plainspoken.world.pddl import parse_domain, parse_problem
+from plainspoken.world.symbol import Symbol, letter, resolve_all
+
+MissionId = str
+GoalId = str
+"""Names one command to a robot: `<mission>/<how many commands, this one included>`."""
+
+
+class Status(StrEnum):
+    """Where a mission stands."""
+
+    PLANNING = "planning"
+    """It has no policy that fits the state."""
+    RUNNING = "running"
+    PAUSED = "paused"
+    """No further action is started; one may still be under way."""
+    FINISHED = "finished"
+    CANCELLED = "cancelled"
+    STOPPED = "stopped"
+    """Safely, for a reason."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When to stop trying.
+
+    revisits: how often the mission may come back to one node of a policy, without progress
+    failures: how many actions in a row the robot may fail to carry out
+    replans:  how many further policies the mission may ask for
+    """
+
+    revisits: int = 1000
+    failures: int = 3
+    replans: int = 20
+
+
+@dataclass(frozen=True)
+class Brief:
+    """What was accepted, which no event changes."""
+
+    mission: MissionId
+    problem: Problem
+    goal: Formula
+    symbols: tuple[Symbol, ...]
+    static: State
+
+
+@dataclass(frozen=True, slots=True)
+class ActionInFlight:
+    """An action that the robot was, or is about to be, told to do."""
+
+    goal_id: GoalId
+    action: GroundAction
+    node: NodeId
+
+
+@dataclass(frozen=True)
+class Mission:
+    """A mission at one moment.
+
+    state:     as last observed, static atoms left out; `world` has them
+    previous:  the state of the instant before, `state` itself at s0
+    led_by:    the action that led to the current instant
+    monitor:   the goal's parts after the instants so far
+    node:      where in the policy the mission is, None where the policy does not say how to go on
+    noticed:   whether the log says so too
+    sent:      how many commands there were
+    visits:    how often each node of the policy was come to
+    failures:  actions in a row that could not be carried out
+    paused_by, cancelled_by: who asked
+    looking:   the world may have changed: it is observed before anything else is started
+    settled:   whether the log says that the verdict is certain
+    """
+
+    brief: Brief
+    state: State
+    previous: State
+    monitor: Monitor = field(compare=False)
+    instant: Instant = 0
+    led_by: GroundAction | None = None
+    policy: Policy | None = field(default=None, repr=False)
+    node: NodeId | None = None
+    noticed: bool = True
+    in_flight: ActionInFlight | None = None
+    sent: int = 0
+    visits: Mapping[NodeId, int] = field(default_factory=dict)
+    failures: int = 0
+    replans: int = 0
+    paused_by: str | None = None
+    cancelled_by: str | None = None
+    looking: bool = False
+    settled: bool = False
+    ended: MissionEnded | None = None
+    limits: Limits = field(default_factory=Limits)
+
+    @property
+    def id(self) -> MissionId:
+        return self.brief.mission
+
+    @property
+    def world(self) -> State:
+        """Every atom that is true now."""
+        return self.state | self.brief.static
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether the trace so far satisfies the goal."""
+        return self.monitor.verdict in (Verdict.SATISFIED, Verdict.HOLDS_SO_FAR)
+
+    @property
+    def status(self) -> Status:
+        if self.ended is not None:
+            return Status(self.ended.outcome)
+        if self.paused_by is not None:
+            return Status.PAUSED
+        return Status.PLANNING if self.node is None else Status.RUNNING
+
+    @property
+    def is_over(self) -> bool:
+        return self.ended is not None
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether nothing goes on and nothing will until somebody asks for it."""
+        return self.is_over or (
+            self.paused_by is not None and self.in_flight is None and self.cancelled_by is None
+        )
+
+    @property
+    def remaining(self) -> Formula:
+        """What is left to plan for, as a goal for a trace that begins at the current instant.
+
+        `X` or `WX` in front: the action that led to the current instant has been counted.
+        """
+        residual = all_of(*(part.automaton.residual(part.state) for part in self.monitor.parts))
+        if isinstance(residual, Constant):
+            return residual
+        return WeakNext(residual) if satisfied_at_end(residual) else Next(residual)
+
+
+def acceptance(
+    mission: MissionId,
+    problem: Problem,
+    goal: Formula,
+    *,
+    domain_text: str,
+    problem_text: str,
+    sentence: str | None = None,
+    english: str = "",
+    landmarks: Mapping[str, Any] | None = None,
+    robot: Mapping[str, Any] | None = None,
+) -> MissionAccepted:
+    """The first event of a mission: all that is needed to understand its log alone.
+
+    domain_text, problem_text: the PDDL that `problem` was read from
+    sentence, english: what the person said, and the goal said back
+    landmarks: the landmarks document; robot: which robot, and how it is set
+    """
+    static = frozenset(
+        atom for atom in problem.initial if atom.split()[0] not in problem.changing_predicates
+    )
+    return MissionAccepted(
+        mission,
+        sentence,
+        unparse(goal),
+        english,
+        domain_text,
+        problem_text,
+        landmarks or {},
+        tuple(sorted(static)),
+        problem.initial - static,
+        robot or {},
+    )
+
+
+def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
+    """The mission at s0.
+
+    raises PlainspokenError: when the texts in the event are no domain, problem and goal
+    """
+    source = f"mission {accepted.mission}"
+    domain = parse_domain(accepted.domain, f"{source}, domain")
+    problem = parse_problem(accepted.problem, domain, f"{source}, problem")
+    goal = parse(accepted.goal)
+    brief = Brief(
+        accepted.mission,
+        problem,
+        goal,
+        resolve_all(atoms(goal), problem),
+        frozenset(accepted.static),
+    )
+    monitor = Monitor.of(goal).after(
+        letter(brief.symbols, accepted.state | brief.static, action=None)
+    )
+    return Mission(brief, accepted.state, accepted.state, monitor, limits=limits)
+
+
+def after(mission: Mission, event: Event) -> Mission:
+    """The mission after an event of its log."""
+    match event:
+        case ActionStarted(action, node, goal_id):
+            in_flight = ActionInFlight(goal_id, action, node)
+            return replace(mission, in_flight=in_flight, sent=mission.sent + 1)
+        case ActionFinished(action, _, state, node):
+            landed = replace(_next_instant(mission, state, action), in_flight=None, failures=0)
+            return landed if node is None else _at_node(landed, node)
+        case ActionFailed(_, _, _, state):
+            failed = replace(mission, in_flight=None, failures=mission.failures + 1)
+            return failed if state == mission.state else _next_instant(failed, state, None)
+        case ObservationMade(_, _, _, state) | ReportReceived(_, _, _, _, state):
+            seen = replace(mission, looking=mission.looking and isinstance(event, ReportReceived))
+            return seen if state == mission.state else _next_instant(seen, state, None)
+        case DeviationNoticed(_, _, _, node):
+            noticed = replace(mission, noticed=True)
+            return noticed if node is None else _at_node(noticed, node)
+        case PolicyChosen(document, reason):
+            policy = policy_from_json(document, f"mission {mission.id}, policy")
+            replans = mission.replans + (reason is not None)
+            chosen = replace(mission, policy=policy, replans=replans, visits={})
+            return _at_node(chosen, policy.initial)
+        case VerdictReached():
+            return replace(mission, settled=True)
+        case Paused(by):
+            return replace(mission, paused_by=by)
+        case Resumed():
+            return replace(mission, paused_by=None, looking=mission.in_flight is None)
+        case Cancelled(by):
+            return replace(mission, cancelled_by=by)
+        case MissionEnded():
+            return replace(mission, ended=event, in_flight=None)
+        case MissionAccepted():
+            raise PlainspokenError("a mission is accepted once", where=f"mission {mission.id}")
+        case _:
+            assert_never(event)
+
+
+def mission_from(entries: Iterable[Entry], limits: Limits | None = None) -> Mission:
+    """The mission as its log leaves it.
+
+    To go on, tell the executive `ResumeAsked`: it will ask the robot about an action that was
+    in flight, and look at the world, before it starts anything.
+    raises PlainspokenError: when the entries are not the log of one mission
+    """
+    mission: Mission | None = None
+    for entry in entries:
+        if mission is None:
+            if not isinstance(entry.event, MissionAccepted):
+                raise PlainspokenError(
+                    "a log begins with mission_accepted", where=f"step {entry.step}"
+                )
+            mission = begun(entry.event, limits or Limits())
+        else:
+            mission = after(mission, entry.event)
+        if entry.instant != mission.instant:
+            raise PlainspokenError(
+                f"expected instant {mission.instant}, got {entry.instant}",
+                where=f"step {entry.step}, {entry.kind}",
+            )
+    if mission is None:
+        raise PlainspokenError("an empty log: a log begins with mission_accepted")
+    return mission
+
+
+def _next_instant(mission: Mission, state: State, action: GroundAction | None) -> Mission:
+    """A new instant; whether the policy has a node for it is not known yet."""
+    seen = letter(mission.brief.symbols, state | mission.brief.static, action)
+    return replace(
+        mission,
+        state=state,
+        previous=mission.state,
+        led_by=action,
+        instant=mission.instant + 1,
+        monitor=mission.monitor.after(seen),
+        node=None,
+        noticed=False,
+    )
+
+
+def _at_node(mission: Mission, node: NodeId) -> Mission:
+    visits = {**mission.visits, node: mission.visits.get(node, 0) + 1}
+    return replace(mission, node=node, visits=visits, noticed=True)

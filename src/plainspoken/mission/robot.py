@@ -1,0 +1,60 @@
+"""What every robot looks like to the task manager: simulated, over ROS 2 or over HTTP."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from plainspoken.mission.mission import GoalId
+from plainspoken.world.domain import GroundAction, State
+
+Seconds = float
+
+
+@dataclass(frozen=True, slots=True)
+class UnderWay:
+    """The robot is at it. progress is from 0 to 1, None where the robot cannot say."""
+
+    progress: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Succeeded:
+    """The action came to its end; state is what the robot sees, whatever was expected."""
+
+    state: State
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """The action was rejected, given up or cancelled; state is what the robot sees."""
+
+    reason: str
+    state: State
+
+
+@dataclass(frozen=True, slots=True)
+class Unheard:
+    """The robot never began this. One that cannot be certain says `Failed`, and what it sees."""
+
+
+GoalStatus = UnderWay | Succeeded | Failed | Unheard
+
+
+class Robot(Protocol):
+    """Takes one command at a time.
+
+    Its states hold every true atom that some action changes; static atoms may be left out.
+    """
+
+    def send(self, goal_id: GoalId, action: GroundAction) -> None:
+        """Begin an action, and return at once. A goal id heard before is ignored."""
+
+    def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
+        """What became of a command, waiting at most so long for its end."""
+
+    def cancel(self, goal_id: GoalId) -> None:
+        """Give an action up, if possible; `wait` says what became of it."""
+
+    def state(self) -> State:
+        """What is true now, as far as the robot can see."""
