@@ -9,6 +9,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+from itertools import pairwise
 from pathlib import Path
 
 VINEYARD = Path(__file__).parents[1] / "examples" / "vineyard"
@@ -27,9 +28,7 @@ LARGE_DOMAIN = """(define (domain walk) (:requirements :typing :non-deterministi
 
 
 def milliseconds(program: str, domain: Path, problem: Path) -> float:
-    timed = (
-        f"import sys, time\n{program}\nprint(time.process_time() * 1000)"  # since process start
-    )
+    timed = f"import sys, time\n{program}\nprint(time.process_time() * 1000)"  # since process start
     command = [sys.executable, "-c", timed, str(domain), str(problem)]
     runs = [
         float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
@@ -43,7 +42,7 @@ def main() -> None:
         domain, problem = Path(folder, "domain.pddl"), Path(folder, "problem.pddl")
         domain.write_text(LARGE_DOMAIN)
         places = [f"p{i}" for i in range(8193)]
-        steps = " ".join(f"(next {a} {b})" for a, b in zip(places, places[1:], strict=False))
+        steps = " ".join(f"(next {a} {b})" for a, b in pairwise(places))
         problem.write_text(
             f"(define (problem long) (:domain walk) (:objects {' '.join(places)} - place)"
             f" (:init (at p0) {steps}) (:goal (at p8192)))"

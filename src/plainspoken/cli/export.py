@@ -1,0 +1,60 @@
+"""`plainspoken export`: policies and automata for other tools."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from plainspoken.automata.construction import automata_for
+from plainspoken.automata.hoa import hoa as automaton_text
+from plainspoken.cli.exit import write_whole
+from plainspoken.cli.site import FILE
+from plainspoken.logic.syntax import parse
+from plainspoken.planning import diagram
+from plainspoken.planning.policy import read_policy
+
+
+@click.group()
+def export() -> None:
+    """Write a policy or an automaton for other tools.
+
+    \b
+    plainspoken plan --say "Clear line 2" --out policy.json
+    plainspoken export dot policy.json | dot -Tsvg > policy.svg
+    plainspoken export hoa "G(full_b -> F call_support_executed)"
+    """
+
+
+def _written(text: str, out: Path | None) -> None:
+    if out is None:
+        click.echo(text, nl=False)
+    else:
+        write_whole(out, text)
+
+
+_out = click.option("--out", type=FILE, metavar="FILE", help="Where to (default: the terminal).")
+
+
+@export.command()
+@click.argument("policy", type=FILE)
+@_out
+def dot(policy: Path, out: Path | None) -> None:
+    """POLICY, which plan --out wrote, as a graph in DOT (Graphviz)."""
+    _written(diagram.dot(read_policy(policy)), out)
+
+
+@export.command()
+@click.argument("policy", type=FILE)
+@_out
+def mermaid(policy: Path, out: Path | None) -> None:
+    """POLICY, which plan --out wrote, as a Mermaid flowchart for Markdown pages."""
+    _written(diagram.mermaid(read_policy(policy)), out)
+
+
+@export.command()
+@click.argument("formula")
+@_out
+def hoa(formula: str, out: Path | None) -> None:
+    """The automata of FORMULA, one for each conjunct, in the Hanoi format."""
+    _written("".join(map(automaton_text, automata_for(parse(formula)))), out)

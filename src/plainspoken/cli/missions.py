@@ -1,0 +1,141 @@
+"""`plainspoken missions`: what is in a store, going on with it, and its log."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import click
+from rich.console import Console
+from rich.table import Table
+
+from plainspoken.cli.exit import NO
+from plainspoken.cli.record import fresh_file, recorder, utc_now
+from plainspoken.cli.run import ended, shown
+from plainspoken.cli.site import FILE
+from plainspoken.errors import PlainspokenError
+from plainspoken.knowledge.jsonl import write_jsonl
+from plainspoken.knowledge.log import SqliteLog, store_path
+from plainspoken.mission.mission import mission_from
+from plainspoken.mission.simulator import Simulator, steering_from
+from plainspoken.pipeline import go_on, site_of
+from plainspoken.world.domain import GroundAction, State
+from plainspoken.world.event import ActionFinished, Entry, MissionAccepted
+
+_store = click.option(
+    "--store", metavar="URL", help="Where missions are kept: sqlite:///PATH or PATH."
+)
+
+
+@click.group(invoke_without_command=True)
+@_store
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.pass_context
+def missions(context: click.Context, store: str | None, *, as_json: bool) -> None:
+    """List the missions in a store, go on with one, or write its log to a file."""
+    if context.invoked_subcommand is not None:
+        return
+    with SqliteLog(store_path(store)) as kept:
+        found = [_summary(kept.entries(id)) for id in kept.missions()]
+    if as_json:
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+    elif not found:
+        click.echo("no missions yet; try: plainspoken run --say 'Clear line 2'")
+    else:
+        table = Table("mission", "status", "instants", "asked for", title=str(store_path(store)))
+        for one in found:
+            table.add_row(one["mission"], one["status"], str(one["instant"]), one["request"])
+        Console().print(table)
+
+
+def _summary(entries: Sequence[Entry]) -> dict[str, Any]:
+    mission, accepted = mission_from(entries), _accepted(entries)
+    return {
+        "mission": mission.id,
+        "status": str(mission.status),
+        "instant": mission.instant,
+        "satisfied": mission.satisfied,
+        "request": accepted.sentence or accepted.goal,
+    }
+
+
+@missions.command()
+@click.argument("id")
+@_store
+@click.option("--json", "as_json", is_flag=True, help="Print the events, one JSON object a line.")
+@click.option("--pace", type=click.FloatRange(min=0), default=0.0, metavar="X", help="As in run.")
+def resume(id: str, store: str | None, pace: float, *, as_json: bool) -> None:
+    """Go on with the mission ID, which was paused or killed."""
+    entries = entries_of(id, store)
+    accepted = _accepted(entries)
+    if mission_from(entries).is_over:
+        raise PlainspokenError(f"the mission {id} is over", hint="`plainspoken ask` tells of it")
+    site = site_of(accepted)
+    history = list(_history(entries))
+    simulator = Simulator(
+        site.problem,
+        seed=accepted.robot.get("seed", 0),
+        steering=[steering_from(text, site.problem) for text in accepted.robot.get("steering", ())],
+        state=mission_from(entries).world,
+        history=history,
+        pace=pace,
+    )
+    with SqliteLog(store_path(store)) as kept:
+        record = recorder(kept, id, None, utc_now)
+        events = go_on(site, entries, simulator, record, by="command line")
+        mission = shown(events, site, as_json=as_json)
+    ended(mission)
+
+
+def _history(entries: Sequence[Entry]) -> Iterator[tuple[State, GroundAction]]:
+    """The actions that were carried out, each with the state it was done in."""
+    before: State = frozenset()
+    for entry in entries:
+        if isinstance(entry.event, ActionFinished):
+            yield before, entry.event.action
+        before = getattr(entry.event, "state", before)
+
+
+@missions.command()
+@click.argument("id")
+@_store
+@click.option("--out", type=FILE, required=True, metavar="FILE", help="Where to.")
+@click.option("--overwrite", is_flag=True, help="Replace the file.")
+def log(id: str, store: str | None, out: Path, *, overwrite: bool) -> None:
+    """Write the log of the mission ID as JSON lines, after checking that nobody changed it."""
+    entries_of(id, store)
+    fresh_file(out, overwrite=overwrite)
+    with ExitStack() as stack:
+        kept = stack.enter_context(SqliteLog(store_path(store)))
+        broken = kept.verify(id)
+        if broken is not None:
+            click.echo(f"plainspoken: step {broken.step}: {broken.what}", err=True)
+            raise SystemExit(NO)
+        write_jsonl(kept.links(id), out)
+
+
+def entries_of(mission: str | None, store: str | None) -> Sequence[Entry]:
+    """The log of a mission in the store, of the last one where none is named.
+
+    raises PlainspokenError: when the store has no such mission
+    """
+    path = store_path(store)
+    with SqliteLog(path) as kept:
+        known = kept.missions()
+        id = mission if mission is not None else (known[-1] if known else None)
+        if id not in known or id is None:
+            raise PlainspokenError(
+                "there are no missions yet" if mission is None else f"no mission {mission!r}",
+                where=str(path),
+                hint="`plainspoken missions` lists them; `plainspoken run` starts one",
+            )
+        return kept.entries(id)
+
+
+def _accepted(entries: Sequence[Entry]) -> MissionAccepted:
+    first = entries[0].event
+    assert isinstance(first, MissionAccepted)  # noqa: S101 - mission_from has checked it
+    return first

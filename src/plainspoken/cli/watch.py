@@ -1,0 +1,179 @@
+"""A run as a person would want to see it: a line for each thing that happens, and a bar."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+
+from rich.console import Console, Group
+from rich.live import Live
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+from rich.table import Table
+from rich.text import Text
+
+from plainspoken.mission.mission import Mission
+from plainspoken.planning.policy import Policy, policy_from_json
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.world.domain import State
+from plainspoken.world.event import (
+    ActionFailed,
+    ActionFinished,
+    ActionStarted,
+    DeviationNoticed,
+    Entry,
+    MissionAccepted,
+    MissionEnded,
+    Paused,
+    PolicyChosen,
+    Resumed,
+)
+
+ROWS = 14
+"""Rows of the live table; older ones scroll out of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    instant: str
+    what: str
+    seen: str
+    style: str = ""
+
+
+class Scoreboard:
+    """What has happened so far, as something rich can draw."""
+
+    def __init__(self, lexicon: Lexicon) -> None:
+        self._lexicon = lexicon
+        self._rows: list[Row] = []
+        self._state: State = frozenset()
+        self._distance: dict[int, int] = {}
+        self._progress = Progress(
+            TextColumn("  {task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TextColumn("steps"),
+        )
+        self._bar = self._progress.add_task("shortest way", total=None)
+        self._done = 0
+        self._printed = 0
+
+    def __rich__(self) -> Group:
+        return Group(self._table(self._rows[-ROWS:]), self._progress)
+
+    def news(self) -> Table:
+        """All rows since this was last asked for."""
+        table = self._table(self._rows[self._printed :])
+        self._printed = len(self._rows)
+        return table
+
+    def _table(self, rows: list[Row]) -> Table:
+        table = Table(box=None, padding=(0, 2))
+        table.add_column("instant", justify="right", style="dim")
+        table.add_column("what I do", min_width=30)
+        table.add_column("what I see then")
+        for row in rows:
+            table.add_row(row.instant, Text(row.what), Text(row.seen), style=row.style)
+        return table
+
+    def add(self, entry: Entry) -> None:
+        """Take in one entry of the log."""
+        match entry.event:
+            case MissionAccepted(state=state):
+                self._state = state
+            case PolicyChosen(document, reason):
+                self._distance = distances(policy_from_json(document, "policy"))
+                if reason is not None:
+                    self._rows.append(Row("", f"planned again: {reason}", "", "yellow"))
+                self._advance_bar(document["initial"])
+            case ActionStarted(action):
+                doing = self._lexicon.deed(action).doing
+                self._rows.append(Row("", f"{doing} ...", "", "bold"))
+            case ActionFinished(action, _, state, node):
+                self._rows[-1] = Row(
+                    str(entry.instant), self._lexicon.deed(action).doing, self._news(state)
+                )
+                self._done += 1
+                self._advance_bar(node)
+            case ActionFailed(action, _, reason, state):
+                doing = self._lexicon.deed(action).doing
+                self._rows[-1] = Row(str(entry.instant), doing, f"failed: {reason}", "red")
+                self._state = state
+            case DeviationNoticed(description=description):
+                self._rows.append(Row("", f"not as expected: {description}", "", "yellow"))
+            case Paused(by):
+                self._rows.append(Row("", f"paused by {by}", "", "yellow"))
+            case Resumed(by):
+                self._rows.append(Row("", f"resumed by {by}", "", "yellow"))
+            case MissionEnded(outcome, satisfied):
+                verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
+                self._rows.append(
+                    Row("", outcome, verdict, "bold green" if satisfied else "bold red")
+                )
+            case _:
+                pass
+
+    def _advance_bar(self, node: int | None) -> None:
+        left = self._distance.get(node, 0) if node is not None else 0
+        self._progress.update(self._bar, completed=self._done, total=self._done + left)
+
+    def _news(self, state: State) -> str:
+        """What is true now and was not before; what stopped being true, where that is all."""
+        added, deleted = state - self._state, self._state - state
+        self._state = state
+        told = self._told(added, true=True) or self._told(deleted, true=False)
+        return ", ".join(told) or "nothing has changed"
+
+    def _told(self, atoms: State, *, true: bool) -> list[str]:
+        return [self._lexicon.clause(atom).said(negative=not true) for atom in sorted(atoms)]
+
+
+def distances(policy: Policy) -> dict[int, int]:
+    """For each node the fewest actions from it to a stop."""
+    before: dict[int, list[int]] = {}
+    for node, successor in policy.edges():
+        before.setdefault(successor.id, []).append(node.id)
+    found = {node.id: 0 for node in policy.nodes if node.action is None}
+    level = list(found)
+    while level:
+        following = []
+        for id in level:
+            for earlier in before.get(id, ()):
+                if earlier not in found:
+                    found[earlier] = found[id] + 1
+                    following.append(earlier)
+        level = following
+    return found
+
+
+def never(entry: Entry) -> bool:
+    """Watch to the end."""
+    del entry
+    return False
+
+
+def watch(
+    events: Generator[Entry, None, Mission],
+    board: Scoreboard,
+    console: Console,
+    until: Callable[[Entry], bool] = never,
+) -> Mission | None:
+    """Draw a run as it goes on; gives the mission when it is over or paused.
+
+    until: stop watching, not the run, after such an entry; then there is no mission yet
+    """
+    mission: Mission | None
+    with Live(board, console=console, transient=True, auto_refresh=False) as live:
+        while True:
+            try:
+                entry = next(events)
+            except StopIteration as end:
+                mission = end.value
+                break
+            board.add(entry)
+            live.update(board, refresh=console.is_terminal)
+            if until(entry):
+                mission = None
+                break
+    console.print(board.news())
+    return mission

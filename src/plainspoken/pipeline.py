@@ -1,0 +1,201 @@
+"""The whole story on one page: hear, plan, carry out, answer.
+
+    site = open_site("domain.pddl", "problem.pddl", "landmarks.json")
+    extraction = understand("Clear line 2, then call the support robot", site)
+    ending = find_policy(site, extraction.formula)
+    for entry in carry_out(site, request, ending.policy, robot, record):
+        print(entry.kind)
+
+`questions.answer` then answers from the entries alone. Robots, stores and clocks arrive as
+arguments; nothing here knows a vendor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from plainspoken.errors import PlainspokenError
+from plainspoken.language.extraction import Extraction, extract
+from plainspoken.language.grounding import Vocabulary
+from plainspoken.logic.english import say
+from plainspoken.logic.formula import Formula
+from plainspoken.mission.executive import accept, advance
+from plainspoken.mission.mission import Mission, MissionId, acceptance, mission_from
+from plainspoken.mission.observation import ResumeAsked
+from plainspoken.mission.robot import Robot
+from plainspoken.mission.run import Record, Replanner, Requests, run_mission
+from plainspoken.planning.policy import Policy
+from plainspoken.planning.solver import Ending, OutOfTime, Solved, Unsolvable, solve
+from plainspoken.planning.validation import Invalid, validate
+from plainspoken.planning.watch import Progress
+from plainspoken.world.domain import Problem, State
+from plainspoken.world.event import Entry, MissionAccepted
+from plainspoken.world.expression import read_text
+from plainspoken.world.landmark import (
+    Landmarks,
+    derived_landmarks,
+    landmarks_from_json,
+    landmarks_to_json,
+    read_landmarks,
+)
+from plainspoken.world.pddl import parse_domain, parse_problem
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where missions take place: a planning problem, its texts, and the words for its symbols."""
+
+    problem: Problem
+    domain_text: str
+    problem_text: str
+    given_landmarks: Landmarks | None = None
+
+    @cached_property
+    def landmarks(self) -> Landmarks:
+        """Those of the landmarks file, or else derived from the names in the problem."""
+        if self.given_landmarks is not None:
+            return self.given_landmarks
+        return derived_landmarks(self.problem)
+
+    @cached_property
+    def vocabulary(self) -> Vocabulary:
+        return Vocabulary.of(self.landmarks)
+
+    def in_words(self, formula: Formula) -> str:
+        """A formula said in the site's words."""
+        return say(formula, self.landmarks)
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What is asked of a robot.
+
+    sentence: None where the goal came as a formula
+    robot:    which robot, and how it is set, for the record
+    """
+
+    mission: MissionId
+    goal: Formula
+    sentence: str | None = None
+    robot: Mapping[str, Any] = field(default_factory=dict)
+
+
+def bundled(name: str) -> Path:
+    """The folder of an example that comes with the package, such as `vineyard`."""
+    packaged = Path(str(files("plainspoken") / "_examples"))
+    examples = packaged if packaged.is_dir() else Path(__file__).parents[2] / "examples"
+    return examples / name
+
+
+def open_site(domain: Path, problem: Path, landmarks: Path | None = None) -> Site:
+    """Read a planning problem, and its landmarks; they are derived where no file is given.
+
+    raises InputFileError: with the file and place that is wrong
+    """
+    domain_text, problem_text = read_text(domain), read_text(problem)
+    read = parse_problem(problem_text, parse_domain(domain_text, str(domain)), str(problem))
+    words = None if landmarks is None else read_landmarks(landmarks, read)
+    return Site(read, domain_text, problem_text, words)
+
+
+def understand(utterance: str, site: Site) -> Extraction:
+    """Turn a sentence into a formula, a question back, or a reason to refuse it."""
+    return extract(utterance, site.vocabulary)
+
+
+def find_policy(
+    problem: Problem,
+    goal: Formula,
+    *,
+    strong: bool = False,
+    timeout: float | None = None,
+    on_progress: Callable[[Progress], None] | None = None,
+) -> Ending:
+    """Find a policy, and have it validated by code that shares nothing with the search.
+
+    raises UnknownSymbolError: when the goal names what the problem does not have
+    """
+    ending = solve(problem, goal, strong=strong, timeout=timeout, on_progress=on_progress)
+    if isinstance(ending, Solved):
+        verdict = validate(problem, goal, ending.policy)
+        if isinstance(verdict, Invalid):
+            raise PlainspokenError(
+                f"the planner made a policy that is not valid: {verdict.reason}",
+                hint="this is a bug of plainspoken: please report domain, problem and goal",
+            )
+    return ending
+
+
+def carry_out(
+    site: Site,
+    request: Request,
+    policy: Policy,
+    robot: Robot,
+    record: Record,
+    *,
+    requests: Requests = lambda: None,
+) -> Generator[Entry, None, Mission]:
+    """Carry a mission out; gives each entry of its log once it is stored."""
+    accepted = acceptance(
+        request.mission,
+        site.problem,
+        request.goal,
+        domain_text=site.domain_text,
+        problem_text=site.problem_text,
+        sentence=request.sentence,
+        english=site.in_words(request.goal),
+        landmarks=landmarks_to_json(site.landmarks),
+        robot=request.robot,
+    )
+    start = accept(accepted, policy)
+    return run_mission(start, robot, record, replanner(site), requests=requests)
+
+
+def go_on(
+    site: Site,
+    entries: Sequence[Entry],
+    robot: Robot,
+    record: Record,
+    *,
+    by: str,
+    requests: Requests = lambda: None,
+) -> Generator[Entry, None, Mission]:
+    """Go on with a mission that was paused or killed, from its log alone."""
+    start = advance(mission_from(entries), ResumeAsked(by))
+    return run_mission(start, robot, record, replanner(site), requests=requests)
+
+
+def site_of(accepted: MissionAccepted) -> Site:
+    """The site that a mission's log tells of."""
+    source = f"mission {accepted.mission}"
+    domain = parse_domain(accepted.domain, f"{source}, domain")
+    problem = parse_problem(accepted.problem, domain, f"{source}, problem")
+    words = (
+        landmarks_from_json(accepted.landmarks, f"{source}, landmarks", problem)
+        if accepted.landmarks
+        else None
+    )
+    return Site(problem, accepted.domain, accepted.problem, words)
+
+
+def why_not(ending: Unsolvable | OutOfTime) -> str:
+    """Why there is no policy."""
+    return ending.sentence if isinstance(ending, OutOfTime) else ending.reason.sentence
+
+
+def replanner(site: Site) -> Replanner:
+    """Plans again from wherever a mission is, for what is left of its goal."""
+
+    def plan(state: State, remaining: Formula) -> Policy | str:
+        here = replace(site.problem, initial=state)
+        ending = find_policy(here, remaining)
+        if isinstance(ending, Solved):
+            return ending.policy
+        return why_not(ending)
+
+    return plan
