@@ -1,0 +1,103 @@
+"""A question and a log become an answer: words, and the claims and evidence they rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import assert_never
+
+from plainspoken.questions.alternative import tell_cause, tell_what_if, tell_why_not
+from plainspoken.questions.claim import Answer, Draft
+from plainspoken.questions.fact import tell_state, tell_when
+from plainspoken.questions.future import tell_future
+from plainspoken.questions.kind import Kind
+from plainspoken.questions.moment import Moment
+from plainspoken.questions.past import tell_count, tell_past
+from plainspoken.questions.present import tell_now
+from plainspoken.questions.progress import tell_constraint, tell_progress
+from plainspoken.questions.question import Question, question_of
+from plainspoken.questions.reason import tell_why
+from plainspoken.world.event import Entry, Step
+
+CAN_ASK = (
+    "You can ask what I'm doing, what I've done, what comes next and why, how far I am, and how "
+    "things stand"
+)
+
+
+def answer(
+    question: str, entries: Sequence[Entry], at: Step | None = None, *, full: bool = False
+) -> Answer:
+    """Answer a question about a mission as if asked at a step of its log.
+
+    at:   the last step that is known, None for the end of the log
+    full: name every fact that matters, not only what matters most
+    raises PlainspokenError: when the log does not begin with an accepted mission
+    """
+    return answer_at(question, Moment(entries, at), full=full)
+
+
+def answer_at(question: str | Question, moment: Moment, *, full: bool = False) -> Answer:
+    """Answer a question at a moment; for many questions about one."""
+    asked = question_of(question, moment.lexicon) if isinstance(question, str) else question
+    draft = Draft(moment)
+    _tell(draft, asked, full=full)
+    return draft.finish(asked.kind)
+
+
+def _tell(draft: Draft, question: Question, *, full: bool) -> None:
+    answered = True
+    match question.kind:
+        case Kind.NOW:
+            tell_now(draft, question, full=full)
+        case Kind.PAST:
+            tell_past(draft, question, full=full)
+        case Kind.FUTURE:
+            tell_future(draft, question, full=full)
+        case Kind.WHY_ACTION:
+            tell_why(draft, question)
+        case Kind.STATE:
+            tell_state(draft, question, full=full)
+        case Kind.PROGRESS:
+            tell_progress(draft, question)
+        case Kind.CONSTRAINT:
+            tell_constraint(draft, question)
+        case Kind.COUNT_HISTORY:
+            tell_count(draft, question)
+        case Kind.WHEN:
+            tell_when(draft, question)
+        case Kind.WHY_NOT:
+            answered = tell_why_not(draft, question)
+        case Kind.WHY_HAPPENED:
+            answered = tell_cause(draft, question)
+            if not answered and question.referents.actions:
+                tell_why(draft, question)
+                answered = True
+        case Kind.WHAT_IF:
+            answered = tell_what_if(draft, question)
+        case Kind.REPORT:
+            _not_yet(
+                draft,
+                "You are telling me something; here I only answer questions, so I haven't noted it",
+            )
+        case Kind.COMMAND:
+            _not_yet(
+                draft,
+                "You want me to do something; here I only answer questions, so I won't",
+            )
+        case Kind.CHITCHAT:
+            _chat(draft)
+        case _:
+            assert_never(question.kind)
+    if not answered:
+        _not_yet(draft, "I can't answer that yet")
+
+
+def _not_yet(draft: Draft, why: str) -> None:
+    draft.known = False
+    draft.say(why)
+    draft.say(CAN_ASK)
+
+
+def _chat(draft: Draft) -> None:
+    draft.known = False
+    draft.say(f"I can only talk about my mission. {CAN_ASK}")

@@ -1,0 +1,357 @@
+"""What the answerer knows at a step of the log: the trace so far, what is being done, the plan.
+
+Built in one pass over the entries; what only some questions need is worked out when asked for.
+"""
+
+from __future__ import annotations
+
+import json
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
+from functools import cached_property, lru_cache
+from typing import Any, NamedTuple
+
+from plainspoken.automata.construction import Automaton
+from plainspoken.automata.verdict import Part
+from plainspoken.errors import PlainspokenError
+from plainspoken.logic.formula import atoms, conjuncts
+from plainspoken.logic.syntax import parse
+from plainspoken.planning.policy import NodeId, Policy, PolicyNode, policy_from_json
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
+from plainspoken.world.event import (
+    ActionFailed,
+    ActionFinished,
+    ActionStarted,
+    DeviationNoticed,
+    Entry,
+    Instant,
+    MissionAccepted,
+    MissionEnded,
+    ObservationMade,
+    Paused,
+    PolicyChosen,
+    ReportReceived,
+    Resumed,
+    Step,
+)
+from plainspoken.world.landmark import Landmarks, landmarks_from_json
+from plainspoken.world.pddl import parse_domain, parse_problem
+from plainspoken.world.symbol import AtomSymbol, SymbolId, letter, resolve_all
+
+Run = tuple[Instant, Instant]
+"""From and to, both included."""
+
+
+class Happening(NamedTuple):
+    """One action that was carried out.
+
+    at: the instant that it led to; step: the entry that says so
+    node: the policy node that chose it; policy: the step of the entry that holds the policy
+    """
+
+    action: GroundAction
+    at: Instant
+    step: Step
+    node: NodeId | None
+    policy: Step
+
+
+class Moment:
+    """All that is known at one step of one log.
+
+    states:  s0 ... sn; the last one is now
+    actions: what led to each instant, None where nothing was done
+    steps:   the entry that each instant was observed in
+    started: the action in flight, None when nothing is
+    """
+
+    def __init__(self, entries: Sequence[Entry], at: Step | None = None) -> None:
+        """Read a log up to and including a step.
+
+        raises PlainspokenError: when the log does not begin with an accepted mission
+        """
+        last = len(entries) if at is None else bisect_right(entries, at, key=_step)
+        self.entries = entries[:last]
+        if not self.entries or not isinstance(self.entries[0].event, MissionAccepted):
+            raise PlainspokenError(
+                "the log does not begin with an accepted mission",
+                hint="give the whole log, from its first line",
+            )
+        self.mission: MissionAccepted = self.entries[0].event
+        self.states: list[State] = [self.mission.state]
+        self.actions: list[GroundAction | None] = [None]
+        self.steps: list[Step] = [self.entries[0].step]
+        self.happenings: list[Happening] = []
+        self.started: ActionStarted | None = None
+        self.started_step: Step = 0
+        self.chosen: PolicyChosen | None = None
+        self.chosen_step: Step = 0
+        self.node_id: int | None = None
+        self.ended: MissionEnded | None = None
+        self.paused = False
+        self.failures: list[tuple[Step, ActionFailed]] = []
+        self.reports: list[tuple[Step, ReportReceived]] = []
+        self.deviations: list[tuple[Step, DeviationNoticed]] = []
+        for entry in self.entries:
+            # Nearly all entries are of these two kinds, and a log may have 100,000.
+            event = entry.event
+            if type(event) is ActionStarted:
+                self.started, self.started_step = event, entry.step
+                self.node_id = event.node
+            elif type(event) is ActionFinished:
+                self._finish(entry, event)
+            else:
+                self._take(entry)
+
+    def _finish(self, entry: Entry, event: ActionFinished) -> None:
+        if entry.instant >= len(self.states):
+            chosen_by = self.started.node if self.started else None
+            self.happenings.append(
+                Happening(event.action, entry.instant, entry.step, chosen_by, self.chosen_step)
+            )
+        self._see(entry, event.state, event.action)
+        self.started = None
+        self.node_id = event.node
+
+    def _take(self, entry: Entry) -> None:
+        event = entry.event
+        match event:
+            case ActionFailed():
+                self._see(entry, event.state, None)
+                self.failures.append((entry.step, event))
+                self.started = None
+            case ObservationMade() | ReportReceived():
+                self._see(entry, event.state, None)
+                if isinstance(event, ReportReceived):
+                    self.reports.append((entry.step, event))
+            case PolicyChosen():
+                self.chosen, self.chosen_step = event, entry.step
+                initial = event.policy.get("initial")
+                self.node_id = initial if isinstance(initial, int) else None
+            case DeviationNoticed():
+                self.deviations.append((entry.step, event))
+                self.node_id = event.node if event.node is not None else self.node_id
+            case Paused() | Resumed():
+                self.paused = isinstance(event, Paused)
+            case MissionEnded():
+                self.ended, self.started = event, None
+            case _:
+                pass
+
+    def _see(self, entry: Entry, state: State, action: GroundAction | None) -> None:
+        """Note a state: a new instant, or a truer picture of the one that is now."""
+        if entry.instant >= len(self.states):
+            self.states.append(state)
+            self.actions.append(action)
+            self.steps.append(entry.step)
+            self.node_id = None  # Until an entry says which node of the policy this is.
+        else:
+            self.states[-1] = state
+
+    # -- now -----------------------------------------------------------------------------------
+
+    @property
+    def now(self) -> Instant:
+        return len(self.states) - 1
+
+    @property
+    def state(self) -> State:
+        return self.states[-1]
+
+    @cached_property
+    def static(self) -> frozenset[GroundAtom]:
+        return frozenset(self.mission.static)
+
+    @cached_property
+    def fluents(self) -> frozenset[GroundAtom]:
+        """What is true now and could be otherwise."""
+        return frozenset(filter(self.changes, self.state))
+
+    def changes(self, atom: GroundAtom) -> bool:
+        """Whether an atom could ever become true or false; the others go without saying."""
+        return atom.split(" ", 1)[0] in self.problem.changing_predicates and atom not in self.static
+
+    def whole(self, state: State) -> State:
+        """A state of the log or of the policy with the atoms that never change."""
+        return state | self.static
+
+    @cached_property
+    def problem(self) -> Problem:
+        return self.lexicon.problem
+
+    @cached_property
+    def lexicon(self) -> Lexicon:
+        return lexicon_of(self.mission)
+
+    # -- the trace -----------------------------------------------------------------------------
+
+    def since(self, atom: GroundAtom) -> Instant:
+        """The first instant of the run of instants up to now at which an atom is as it is now."""
+        states, value = self.states, atom in self.state
+        index = self.now
+        while index > 0 and (atom in states[index - 1]) == value:
+            index -= 1
+        return index
+
+    @cached_property
+    def runs(self) -> dict[GroundAtom, list[Run]]:
+        """The maximal runs of instants at which each atom is true."""
+        found: dict[GroundAtom, list[Run]] = {}
+        start = dict.fromkeys(self.states[0], 0)
+        before = self.states[0]
+        for instant, state in enumerate(self.states):
+            if state is not before:
+                for atom in before ^ state:
+                    if atom in state:
+                        start[atom] = instant
+                    else:
+                        found.setdefault(atom, []).append((start.pop(atom), instant - 1))
+                before = state
+        for atom, since in start.items():
+            found.setdefault(atom, []).append((since, self.now))
+        return found
+
+    # -- the plan ------------------------------------------------------------------------------
+
+    @cached_property
+    def policy(self) -> Policy | None:
+        """The policy that is followed, None before there is one or after the mission's end."""
+        if self.chosen is None or self.ended is not None:
+            return None
+        return self.policy_at(self.chosen_step)
+
+    def policy_at(self, step: Step) -> Policy | None:
+        """The policy that an entry of the log holds."""
+        index = bisect_right(self.entries, step, key=_step) - 1
+        event = self.entries[index].event
+        if not isinstance(event, PolicyChosen):
+            return None
+        # Questions come in numbers about one mission, and a policy may have thousands of nodes.
+        return _policy(_ById(event.policy))
+
+    @cached_property
+    def node(self) -> PolicyNode | None:
+        """Where in the policy the mission is; while an action runs, the node that chose it.
+
+        None where the state now is not the node's: a policy says nothing of other states.
+        """
+        if self.policy is None or self.node_id is None:
+            return None
+        node = self.policy.by_id.get(self.node_id)
+        if node is None or node.state != self.state - self.policy.static - self.static:
+            return None
+        return node
+
+    # -- the request ---------------------------------------------------------------------------
+
+    @cached_property
+    def letters(self) -> Letters:
+        return letters_of(self.mission)
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The conjuncts of the request, each with what its automaton has seen so far."""
+        return self.parts_at(self.now)
+
+    def parts_at(self, instant: Instant) -> tuple[Part, ...]:
+        """The conjuncts of the request as they were at an instant."""
+        automata = self.letters.automata
+        at = tuple(automaton.initial for automaton in automata)
+        known: dict[tuple[tuple[int, ...], frozenset[str]], tuple[int, ...]] = {}
+        read = self.letters.read
+        upto = instant + 1
+        for state, action in zip(self.states[:upto], self.actions[:upto], strict=True):
+            key = (at, read(state, action))
+            after = known.get(key)
+            if after is None:
+                after = tuple(a.step(s, key[1]) for a, s in zip(automata, at, strict=True))
+                known[key] = after
+            at = after
+        return tuple(Part(a.formula, a, s) for a, s in zip(automata, at, strict=True))
+
+    def after(
+        self, parts: tuple[Part, ...], state: State, action: GroundAction
+    ) -> tuple[Part, ...]:
+        """The conjuncts after one more instant, imagined."""
+        seen = self.letters.read(state, action)
+        return tuple(
+            Part(part.formula, part.automaton, part.automaton.step(part.state, seen))
+            for part in parts
+        )
+
+
+class Letters:
+    """What the request reads of an instant, and the automata that read it."""
+
+    def __init__(self, problem: Problem, goal: str) -> None:
+        self._static = frozenset(
+            atom
+            for atom in problem.initial
+            if atom.split(" ", 1)[0] not in problem.changing_predicates
+        )
+        formula = parse(goal)
+        self.automata = tuple(Automaton(part) for part in dict.fromkeys(conjuncts(formula)))
+        self.symbols = resolve_all(atoms(formula), problem)
+        self._atoms = frozenset(s.atom for s in self.symbols if isinstance(s, AtomSymbol))
+        self._known: dict[tuple[State, GroundAction | None], frozenset[SymbolId]] = {}
+
+    def read(self, state: State, action: GroundAction | None) -> frozenset[SymbolId]:
+        """The propositions of the request that are true at an instant."""
+        key = (self._atoms & state, action)
+        found = self._known.get(key)
+        if found is None:
+            found = self._known[key] = letter(self.symbols, key[0] | self._static, action)
+        return found
+
+
+class _ById:
+    """A document as a key: the same one is read once."""
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        self.document = document
+
+    def __hash__(self) -> int:
+        return id(self.document)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _ById) and other.document is self.document
+
+
+@lru_cache(maxsize=16)
+def _policy(key: _ById) -> Policy:
+    return policy_from_json(key.document, "policy of the log")
+
+
+def _step(entry: Entry) -> Step:
+    return entry.step
+
+
+def lexicon_of(mission: MissionAccepted) -> Lexicon:
+    """The words of a mission; kept, as many questions are asked about one."""
+    document = json.dumps(mission.landmarks, sort_keys=True) if mission.landmarks else ""
+    return _lexicon(mission.domain, mission.problem, document)
+
+
+def letters_of(mission: MissionAccepted) -> Letters:
+    """The automata of a mission's request; kept, as they grow with what they have read."""
+    return _letters(mission.domain, mission.problem, mission.goal)
+
+
+@lru_cache(maxsize=8)
+def _problem(domain: str, problem: str) -> Problem:
+    known = parse_domain(domain, "domain of the log")
+    return parse_problem(problem, known, "problem of the log")
+
+
+@lru_cache(maxsize=8)
+def _lexicon(domain: str, problem: str, landmarks: str) -> Lexicon:
+    known: Landmarks = {}
+    if landmarks:
+        known = landmarks_from_json(json.loads(landmarks), "landmarks of the log")
+    return Lexicon(_problem(domain, problem), known)
+
+
+@lru_cache(maxsize=8)
+def _letters(domain: str, problem: str, goal: str) -> Letters:
+    return Letters(_problem(domain, problem), goal)

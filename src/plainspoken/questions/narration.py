@@ -1,0 +1,232 @@
+"""Claims in words: facts and deeds joined into sentences that a person would say."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from plainspoken.questions.clause import Clause, Deed, Tense, Thing, enumerated, merged
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.morphology import counted, listed, plural, times
+from plainspoken.world.domain import GroundAction, GroundAtom
+
+_CHUNK = re.compile(r"(\D+)(\d*)")
+MOST_NAMED = 5
+"""More things of a kind than this are counted, not named."""
+
+
+@dataclass(frozen=True, slots=True)
+class Saying:
+    """Some words, and the atoms that they say."""
+
+    text: str
+    atoms: tuple[GroundAtom, ...]
+
+
+def facts_together(
+    lexicon: Lexicon,
+    atoms: Iterable[GroundAtom],
+    tense: Tense = "now",
+    *,
+    negative: bool = False,
+    most: int = MOST_NAMED,
+) -> list[Saying]:
+    """One saying for the facts that differ in their subject only: `mugs 2 and 3 are clean`."""
+    groups: dict[tuple[str, str], list[tuple[GroundAtom, Clause]]] = {}
+    for atom in atoms:
+        clause = lexicon.clause(atom)
+        groups.setdefault((clause.verb, clause.complement), []).append((atom, clause))
+    clauses: list[tuple[Clause, tuple[GroundAtom, ...]]] = []
+    for unsorted in groups.values():
+        members = sorted(unsorted, key=lambda member: natural(member[0]))
+        clause = members[0][1]
+        if len(members) > 1:
+            subjects = list(dict.fromkeys(each.subject for _, each in members))
+            words = _subjects(lexicon, [atom for atom, _ in members], subjects, most)
+            several = len(subjects) > 1 and " of " not in subjects[0]
+            clause = replace(clause, subject=words, several=several)
+        clauses.append((clause, tuple(atom for atom, _ in members)))
+    if not negative:
+        clauses = _with_one_subject(clauses)
+    return [Saying(clause.said(tense, negative=negative), said) for clause, said in clauses]
+
+
+def _with_one_subject(
+    clauses: Sequence[tuple[Clause, tuple[GroundAtom, ...]]],
+) -> list[tuple[Clause, tuple[GroundAtom, ...]]]:
+    """Clauses of one subject as one: `mugs 0 and 2 are picked and inside the box`."""
+    found: dict[tuple[str, str], tuple[Clause, list[str], tuple[GroundAtom, ...]]] = {}
+    for clause, atoms in clauses:
+        # Only `be` is shared: "holds a mug and lies on the table" would need the verb twice.
+        key = (clause.subject, clause.verb if clause.verb == "be" else clause.complement)
+        _, complements, before = found.get(key, (clause, [], ()))
+        found[key] = (clause, [*complements, clause.complement], before + atoms)
+    return [
+        (replace(clause, complement=listed(complements)), atoms)
+        for clause, complements, atoms in found.values()
+    ]
+
+
+def natural(text: str) -> tuple[tuple[str, int], ...]:
+    """A key that sorts `g2` before `g10`."""
+    return tuple((word, int(digits or -1)) for word, digits in _CHUNK.findall(text))
+
+
+def _subjects(
+    lexicon: Lexicon, atoms: Sequence[GroundAtom], subjects: Sequence[str], most: int
+) -> str:
+    if len(subjects) <= most:
+        return enumerated(subjects)
+    kinds = {lexicon.type_words(atom.split()[1]) for atom in atoms if " " in atom}
+    noun = kinds.pop() if len(kinds) == 1 else "thing"
+    return counted(len(subjects), noun)
+
+
+def deeds_together(
+    lexicon: Lexicon, actions: Sequence[GroundAction], *, most: int = MOST_NAMED
+) -> list[tuple[Deed, int]]:
+    """A deed for each kind of action, in the order they were first done, and how often.
+
+    The number is 1 unless one and the same deed was done several times.
+    """
+    number = Counter(actions)
+    groups: dict[tuple[str, str], list[GroundAction]] = {}
+    for action in dict.fromkeys(actions):
+        groups.setdefault((action.split()[0], lexicon.deed(action).subject), []).append(action)
+    found: list[tuple[Deed, int]] = []
+    for (name, subject), group in groups.items():
+        deeds = list(dict.fromkeys(map(lexicon.deed, group)))
+        if len(deeds) == 1:
+            found.append((deeds[0], sum(number[action] for action in group)))
+        elif (joined := merged(deeds)) is not None and len(deeds) <= most:
+            found.append((joined, 1))
+        else:
+            found.append((_summed(lexicon, name, subject, group, deeds), 1))
+    return found
+
+
+def _summed(
+    lexicon: Lexicon, name: str, subject: str, group: Sequence[GroundAction], deeds: Sequence[Deed]
+) -> Deed:
+    """Many deeds of a kind as one, its things counted: `check 17 mugs`."""
+    parts: list[str | Thing] = []
+    for index in lexicon.template(name).parts:
+        if isinstance(index, str):
+            parts.append(index)
+            continue
+        names = list(dict.fromkeys(action.split()[index + 1] for action in group))
+        if len(names) == 1:
+            parts.append(lexicon.thing(names[0]))
+        elif len(names) <= MOST_NAMED:
+            parts.append(enumerated([lexicon.object_words(each) for each in names]))
+        else:
+            kinds = {lexicon.type_words(each) for each in names}
+            parts.append(counted(len(names), kinds.pop() if len(kinds) == 1 else "thing"))
+    return Deed(subject, deeds[0].verb, tuple(parts))
+
+
+def often(text: str, number: int) -> str:
+    """`called the support robot twice`; once goes without saying."""
+    return text if number == 1 else f"{text} {times(number)}"
+
+
+def spoken(deeds: Sequence[tuple[str, str]], *, auxiliary: str = "") -> str:
+    """`I checked mug 1 and picked it`: subjects and what they did, each subject said once."""
+    parts: list[str] = []
+    last = ""
+    for subject, words in deeds:
+        parts.append(words if subject == last else f"{subject}{auxiliary} {words}")
+        last = subject
+    return listed(parts)
+
+
+def past_deeds(deeds: Sequence[tuple[Deed, int]]) -> str:
+    """`I checked mugs 0 and 1 and picked mug 1`."""
+    return spoken([(deed.subject, often(deed.did, number)) for deed, number in deeds])
+
+
+def future_deeds(deeds: Sequence[Deed], opening: str = "") -> str:
+    """`I'll check mug 1 and sign off line 1`."""
+    parts = []
+    last = ""
+    for deed in deeds:
+        will = "'ll" if deed.subject == "I" else " will"
+        parts.append(deed.bare if deed.subject == last else f"{deed.subject}{will} {deed.bare}")
+        last = deed.subject
+    return " ".join(filter(None, (opening, listed(parts))))
+
+
+def joined_runs(deeds: Sequence[Deed]) -> list[Deed]:
+    """Neighbours that differ in one thing as one deed: `move to lines 1 and 2`."""
+    found: list[list[Deed]] = []
+    for deed in deeds:
+        if found and merged([*found[-1], deed]) is not None and deed not in found[-1]:
+            found[-1].append(deed)
+        else:
+            found.append([deed])
+    return [merged(run) or run[0] for run in found]
+
+
+def referring(deeds: Sequence[Deed], before: Deed | None = None) -> list[Deed]:
+    """The deeds with `it` for a thing that the deed before has just named, and no other thing."""
+    found: list[Deed] = []
+    last = before
+    for deed in deeds:
+        known = _things(last) if last is not None else []
+        found.append(deed.pronoun(known=known))
+        last = deed
+    return found
+
+
+def _things(deed: Deed) -> list[str]:
+    return [part.name for part in deed.parts if isinstance(part, Thing)]
+
+
+def about_it(text: str, deed: Deed) -> str:
+    """A saying with `it` for its subject, where the deed has named that and nothing else."""
+    things = [part for part in deed.parts if isinstance(part, Thing)]
+    if len(things) != 1 or not things[0].name:
+        return text
+    words = re.escape(things[0].words)
+    text = re.sub(rf"^{words} (is|was|has|isn't)\b", r"it \1", text)
+    return re.sub(rf"^the (\w+) of {words} ", r"its \1 ", text)
+
+
+def present_deed(deed: Deed) -> str:
+    """`I'm checking mug 1`."""
+    return f"I'm {deed.doing}" if deed.subject == "I" else f"{deed.subject} is {deed.doing}"
+
+
+def named(lexicon: Lexicon, names: Sequence[str], most: int = 12) -> str:
+    """`mugs 0 and 1`; many are named up to a point and then counted."""
+    words = [lexicon.object_words(name) for name in names]
+    if len(words) <= most:
+        return enumerated(words)
+    kinds = {lexicon.type_words(name) for name in names}
+    noun = kinds.pop() if len(kinds) == 1 else "thing"
+    return f"{counted(len(words), noun)}, among them {enumerated(words[:3])}"
+
+
+def steps(number: int) -> str:
+    """`three more actions`."""
+    return f"{counted(number, 'more action')}" if number else "nothing more"
+
+
+def still(text: str) -> str:
+    """`the box is still full`: a saying about now with what it says going on."""
+    return re.sub(r"^(I'm|.*? (?:is|are))\b", r"\1 still", text, count=1)
+
+
+def ago(number: int) -> str:
+    """How many actions lie between an instant and now."""
+    if number == 0:
+        return "just now"
+    return f"{counted(number, 'action')} ago"
+
+
+def kinds_word(names: Sequence[str], lexicon: Lexicon) -> str:
+    """The plural noun for some objects: `mugs`; `things` for a mixture."""
+    kinds = {lexicon.type_words(name) for name in names}
+    return plural(kinds.pop()) if len(kinds) == 1 else "things"

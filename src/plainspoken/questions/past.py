@@ -1,0 +1,275 @@
+"""What was done: in order, condensed, or the part of it that is asked about."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from plainspoken.questions.claim import ActionClaim, Draft
+from plainspoken.questions.moment import Happening, Moment
+from plainspoken.questions.morphology import counted, listed, participle, times
+from plainspoken.questions.narration import (
+    Saying,
+    ago,
+    deeds_together,
+    facts_together,
+    often,
+    past_deeds,
+    still,
+)
+from plainspoken.questions.question import Question, Span
+from plainspoken.questions.wish import action_words
+from plainspoken.world.domain import GroundAtom
+from plainspoken.world.scene import is_applicable, successors
+from plainspoken.world.symbol import ActionSymbol
+
+MOST_GROUPS = 6
+BRIEF = 45
+"""Words that a brief answer aims at."""
+
+
+def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
+    """Answer what was done."""
+    moment = draft.moment
+    happenings = moment.happenings
+    asked = question.referents
+    if question.yes_no and asked.actions and question.span is not Span.LAST:
+        tell_whether(draft, question)
+        return
+    if not happenings:
+        draft.evidence.add(moment.steps[0])
+        draft.say("I haven't done anything yet")
+        if moment.started is not None:
+            deed = moment.lexicon.deed(moment.started.action)
+            draft.actions.add(ActionClaim(moment.started.action, moment.now + 1, "may"))
+            draft.evidence.add(moment.started_step)
+            draft.say(f"I've only just started {deed.doing}")
+        if full:
+            tell_facts(draft, moment)
+        return
+    if question.yes_no and re.search(
+        r"\b(?:fail|error|problem|trouble|wrong)", question.text.lower()
+    ):
+        _tell_failures(draft)
+        return
+    if question.span is Span.FIRST:
+        first = happenings[0]
+        draft.did(first)
+        draft.say(f"First {past_deeds([(moment.lexicon.deed(first.action), 1)])}")
+        return
+    if question.span is Span.BEFORE or (question.span is Span.AFTER and asked.actions):
+        happenings = _cut(moment, question)
+    if question.span is Span.LAST:
+        _tell_last(draft, happenings)
+    else:
+        chosen = [each for each in happenings if asked.concerns(each.action)]
+        _tell_all(draft, chosen or happenings, full=full)
+        if chosen == happenings == moment.happenings and not full:
+            _tell_unchanged(draft)
+    if full:
+        tell_facts(draft, moment)
+
+
+def _tell_failures(draft: Draft) -> None:
+    """Say what could not be carried out, if anything."""
+    moment = draft.moment
+    draft.evidence.add(moment.entries[-1].step)
+    if not moment.failures:
+        draft.say("No, nothing has failed so far")
+        return
+    draft.evidence.update(step for step, _ in moment.failures)
+    failed = dict.fromkeys(moment.lexicon.deed(event.action) for _, event in moment.failures)
+    draft.say(f"Yes, I couldn't {listed([deed.bare for deed in failed], 'or')} when I tried")
+
+
+def _cut(moment: Moment, question: Question) -> list[Happening]:
+    """The happenings before or after the last one spoken of; `before that`: but the last."""
+    happenings = moment.happenings
+    asked = question.referents
+    if not asked.actions and not asked.objects:
+        return happenings[:-1] or happenings
+    at = [i for i, each in enumerate(happenings) if asked.concerns(each.action)]
+    if not at:
+        return happenings
+    kept = happenings[: at[-1]] if question.span is Span.BEFORE else happenings[at[-1] + 1 :]
+    return kept or happenings
+
+
+def _tell_last(draft: Draft, happenings: Sequence[Happening]) -> None:
+    moment = draft.moment
+    last = happenings[-1]
+    draft.did(last)
+    deed = moment.lexicon.deed(last.action)
+    found = listed([each.text for each in facts_together(moment.lexicon, outcome(moment, last))])
+    when = "" if last.at == moment.now else f", {ago(moment.now - last.at)}"
+    draft.say(f"{past_deeds([(deed, 1)])}{when}" + (f": {found}" if found else ""))
+    for atom in outcome(moment, last):
+        draft.now([atom])
+
+
+def outcome(moment: Moment, happening: Happening) -> list[GroundAtom]:
+    """What an action turned out to make true and that is so now, where it had a choice."""
+    before = moment.whole(moment.states[happening.at - 1])
+    after = moment.states[happening.at]
+    if not is_applicable(moment.problem, before, happening.action):
+        return []  # The world has done something that the model does not foresee.
+    possible = successors(moment.problem, before, happening.action)
+    if len(possible) < 2:
+        return []
+    common = frozenset.intersection(*possible)
+    return sorted(atom for atom in after - before if atom not in common and atom in moment.state)
+
+
+def _tell_all(draft: Draft, happenings: Sequence[Happening], *, full: bool) -> None:
+    """All of them, condensed: kinds of deeds in the order they were first done."""
+    moment = draft.moment
+    lexicon = moment.lexicon
+    last = happenings[-1]
+    motions = {a for a in {each.action for each in happenings} if is_motion(moment, a)}
+    told = [each for each in happenings if each.action not in motions] or list(happenings)
+    groups = deeds_together(lexicon, [each.action for each in told])
+    shown = groups if full else groups[:MOST_GROUPS]
+    draft.did_all(happenings)
+    opening = past_deeds(shown)
+    if len(groups) > len(shown):
+        opening += f", among other things ({counted(len(happenings), 'action')} in all)"
+    draft.say(f"So far {opening}" if len(happenings) > 1 else opening)
+    if last.action in motions and len(told) < len(happenings):
+        draft.say(f"{_just(moment, last)} {past_deeds([(lexicon.deed(last.action), 1)])}")
+    elif len(told) > 2 and len(groups) > 1 and shown[-1][0] != lexicon.deed(last.action):
+        found = listed([each.text for each in facts_together(lexicon, outcome(moment, last))])
+        draft.now(outcome(moment, last))
+        told_last = past_deeds([(lexicon.deed(last.action), 1)])
+        draft.say(f"{_just(moment, last)} {told_last}" + (f": {found}" if found else ""))
+
+
+def _tell_unchanged(draft: Draft) -> None:
+    """What has been so all the time, as far as there is room in a brief answer."""
+    moment = draft.moment
+    unchanged = [atom for atom in sorted(moment.fluents) if moment.since(atom) == 0]
+    room = BRIEF - sum(len(each.split()) for each in draft.sentences) - 5
+    chosen: list[Saying] = []
+    for saying in facts_together(moment.lexicon, unchanged):
+        room -= len(saying.text.split()) + 1
+        if room < 0:
+            break
+        chosen.append(saying)
+        draft.now(saying.atoms)
+    if chosen:
+        draft.say(listed([still(saying.text) for saying in chosen]))
+
+
+def _just(moment: Moment, last: Happening) -> str:
+    return "Most recently" if last.at == moment.now else f"Last, {ago(moment.now - last.at)},"
+
+
+def is_motion(moment: Moment, action: str) -> bool:
+    """Whether an action only takes the robot from one place to another."""
+    deed = moment.lexicon.deed(action)
+    return len(deed.parts) == 2 and deed.parts[0] == "to"
+
+
+def tell_facts(draft: Draft, moment: Moment) -> None:
+    """Every fact over the time so far: what held from the start, and what came and went."""
+    for atom, runs in sorted(moment.runs.items()):
+        if moment.changes(atom):
+            for start, _ in runs:
+                draft.was(atom, start)
+    ended = sorted(
+        atom
+        for atom, runs in moment.runs.items()
+        if moment.changes(atom) and runs[-1][1] < moment.now
+    )
+    kept = sorted(moment.fluents)
+    lexicon = moment.lexicon
+    if ended:
+        said = [each.text for each in facts_together(lexicon, ended, "was", most=12)]
+        draft.say(f"Earlier {listed(said)}")
+    if kept:
+        draft.say(f"Now {listed([e.text for e in facts_together(lexicon, kept, most=12)])}")
+
+
+def tell_whether(draft: Draft, question: Question) -> None:
+    """Answer whether, and when, something was done."""
+    moment = draft.moment
+    lexicon = moment.lexicon
+    asked = question.referents
+    found = [each for each in moment.happenings if asked.concerns(each.action)]
+    if not found:
+        draft.evidence.add(moment.steps[-1])
+        done = _undone(question, moment)
+        started = moment.started
+        if started is not None and asked.concerns(started.action):
+            draft.evidence.add(moment.started_step)
+            draft.actions.add(ActionClaim(started.action, moment.now + 1, "may"))
+            draft.say(f"Not yet, but I'm {lexicon.deed(started.action).doing} now")
+        else:
+            draft.say(
+                f"{'No,' if question.yes_no else 'So far'} I haven't {done}"
+                + (" so far" if question.yes_no else "")
+            )
+        return
+    draft.did_all(found)
+    groups = deeds_together(lexicon, [each.action for each in found])
+    number = f", {times(len(found))} in all" if len(found) > 1 and len(groups) > 1 else ""
+    last = (
+        f"; the last time was {ago(moment.now - found[-1].at)}"
+        if len(found) > 1
+        else (f", {ago(moment.now - found[-1].at)}")
+    )
+    draft.say(f"Yes, {past_deeds(groups)}{number}{last}")
+
+
+def _undone(question: Question, moment: Moment) -> str:
+    """`checked mug 3`, `called the support robot`: what was asked about, as a participle."""
+    said = []
+    for name in question.referents.actions:
+        symbol = ActionSymbol(
+            f"{name.replace('-', '_')}_executed", name, question.referents.objects
+        )
+        words = action_words(symbol, moment.lexicon)
+        verb, _, rest = words.partition(" ")
+        said.append(f"{participle(verb)} {rest}".strip())
+    return listed(said, "or") or "done that"
+
+
+def tell_count(draft: Draft, question: Question) -> None:
+    """Answer how often something was done, or whether ever."""
+    moment = draft.moment
+    asked = question.referents
+    if not asked.actions:
+        _count_all(draft, question)
+        return
+    found = [each for each in moment.happenings if asked.concerns(each.action)]
+    if not found:
+        tell_whether(draft, question)
+        return
+    draft.did_all(found)
+    groups = deeds_together(moment.lexicon, [each.action for each in found])
+    opening = "Yes, " if question.yes_no else ""
+    said = past_deeds([(deed, 1) for deed, _ in groups])
+    if len({each.action for each in found}) == len(found) > 1:
+        draft.say(f"{opening}{said}: {counted(len(found), 'time')} in all")
+    else:
+        draft.say(f"{opening}{often(said, len(found)) if len(found) > 1 else said + ' once'}")
+
+
+def _count_all(draft: Draft, question: Question) -> None:
+    moment = draft.moment
+    asked = question.referents
+    if asked.atoms:
+        atom = asked.atoms[0]
+        runs = moment.runs.get(atom, [])
+        draft.evidence.add(moment.steps[-1])
+        for start, _ in runs:
+            draft.was(atom, start)
+        clause = moment.lexicon.clause(atom)
+        if not runs:
+            draft.say(f"No, so far {clause.said('was', negative=True)} at any moment")
+        else:
+            draft.say(f"Yes, {clause.said('was')} {times(len(runs))} so far")
+        return
+    happenings = moment.happenings
+    draft.evidence.update(each.step for each in happenings[-1:])
+    draft.did_all(happenings, changes=False)
+    draft.say(f"So far I've done {counted(len(happenings), 'action')}")

@@ -1,0 +1,357 @@
+"""What a question speaks of: objects, kinds of objects, facts and actions of the mission."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from plainspoken.questions.lexicon import PREPOSITIONS, Lexicon, split_name
+from plainspoken.questions.morphology import lemma, plural
+from plainspoken.world.domain import GroundAction, GroundAtom
+
+NUMBERS = [
+    "zero",
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "thirteen",
+    "fourteen",
+    "fifteen",
+    "sixteen",
+    "seventeen",
+    "eighteen",
+    "nineteen",
+    "twenty",
+]
+_CONTRACTIONS = (
+    (r"\bwon't\b", "will not"),
+    (r"\bcan't\b|\bcannot\b", "can not"),
+    (r"\bshan't\b", "shall not"),
+    (r"n't\b", " not"),
+    (r"\b(i)'m\b", r"\1 am"),
+    (r"'re\b", " are"),
+    (r"'ve\b", " have"),
+    (r"'ll\b", " will"),
+    (r"'d\b", " would"),
+    (r"\b(what|where|who|how|when|why|that|it|there|here|he|she|which)'?s\b(?! own)", r"\1 is"),
+    (r"\blet's\b", "let us"),
+    (r"\bwhats\b", "what is"),
+    (r"\bgonna\b", "going to"),
+    (r"\bwanna\b", "want to"),
+    (r"\b(dont|didnt|isnt|arent|doesnt|havent|wasnt)\b", lambda m: m[1][:-2] + " not"),
+)
+_ASKING = "do|does|did|is|are|was|were|have|has|had|will|would|can|could|should"
+_ALIKE = {"in": "inside", "inside": "in", "on": "onto", "onto": "on"}
+_EMPTY = frozenset(
+    [
+        "a",
+        "an",
+        "the",
+        "of",
+        "to",
+        "is",
+        "are",
+        "was",
+        "were",
+        "be",
+        "been",
+        "am",
+        "i",
+        "you",
+        "it",
+        "he",
+        "she",
+        "they",
+        "we",
+        "my",
+        "your",
+        "our",
+        "its",
+        "that",
+        "this",
+        "there",
+        "have",
+        "has",
+        "had",
+        "do",
+        "does",
+        "did",
+        "will",
+        "would",
+        "can",
+        "could",
+        "robot",
+    ]
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Referents:
+    """What a text speaks of.
+
+    kinds:   nouns that stand for several objects, with those objects: `lines` (l0, l1 ...)
+    atoms:   the facts that the words spell out, or may
+    deeds:   ground actions of the named kind cannot be listed before a log is at hand, so the
+             named actions and objects stand for them
+    verbs:   every word that is an action's verb in this domain
+    """
+
+    objects: tuple[str, ...] = ()
+    kinds: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    predicates: tuple[str, ...] = ()
+    actions: tuple[str, ...] = ()
+    atoms: tuple[GroundAtom, ...] = ()
+    verbs: frozenset[str] = frozenset()
+
+    def concerns(self, action: GroundAction) -> bool:
+        """Whether a ground action is one of those spoken of."""
+        name, *arguments = action.split()
+        return (not self.actions or name in self.actions) and all(
+            each in arguments for each in self.objects
+        )
+
+
+def normal(text: str) -> str:
+    """Lower case, contractions spelled out, no marks but those inside words."""
+    plain = text.lower().replace("\u2019", "'").replace("\u2018", "'").strip()
+    for pattern, spelled in _CONTRACTIONS:
+        plain = re.sub(pattern, spelled, plain)
+    plain = re.sub(rf"\b({_ASKING}) not (you|it|the|they|we|i)\b", r"\1 \2 not", plain)
+    plain = re.sub(r"[^\w\s'-]", " ", plain.replace("'s ", " 's "))
+    return " ".join(plain.split())
+
+
+def referents_of(plain: str, lexicon: Lexicon) -> Referents:
+    """Look up what a normalised text speaks of."""
+    index = _index(lexicon)
+    objects, rest = index.objects_in(plain)
+    tokens = rest.split()
+    lemmas = {token: index.base(token) for token in dict.fromkeys(plain.split())}
+    kinds = index.kinds_in(tokens)
+    actions = index.actions_in(plain, lemmas)
+    predicates = index.predicates_in(plain, lemmas)
+    speaks_to_me = bool({"you", "your", "yourself", "robot"} & set(plain.split()))
+    atoms = tuple(index.atoms_for(predicates, objects, speaks_to_me=speaks_to_me))
+    return Referents(objects, kinds, predicates, actions, atoms, index.verbs)
+
+
+_INDEXES: dict[int, tuple[Lexicon, _Index]] = {}
+
+
+def _index(lexicon: Lexicon) -> _Index:
+    """The index of a lexicon, made once."""
+    known = _INDEXES.get(id(lexicon))
+    if known is None or known[0] is not lexicon:
+        if len(_INDEXES) > 16:
+            _INDEXES.clear()
+        known = _INDEXES[id(lexicon)] = (lexicon, _Index(lexicon))
+    return known[1]
+
+
+class _Index:
+    """Words of one lexicon, from what is said to what is meant."""
+
+    def __init__(self, lexicon: Lexicon) -> None:
+        self._lexicon = lexicon
+        self._problem = lexicon.problem
+        self._phrases: dict[str, str] = {}
+        self._numbered: dict[str, dict[str, str]] = {}
+        for name in lexicon.problem.objects:
+            for words in lexicon.synonyms(name):
+                self._phrases.setdefault(words, name)
+                found = re.match(r"(\D+) (\d+)$", words)
+                if found:
+                    self._numbered.setdefault(found[1], {})[found[2]] = name
+        self._kinds = self._kind_words()
+        self._actions = tuple(self._action_words())
+        self._predicates = tuple(self._predicate_words())
+        self.verbs = frozenset(verb for _, verb, _ in self._actions)
+        alternatives = sorted(map(re.escape, self._phrases), key=len, reverse=True)
+        self._pattern = re.compile(rf"(?<![\w-])(?:{'|'.join(alternatives) or '(?!)'})(?![\w-])")
+        heads = sorted(
+            {re.escape(form) for head in self._numbered for form in (head, plural(head))},
+            key=len,
+            reverse=True,
+        )
+        number = rf"(?:\d+|{'|'.join(NUMBERS)})"
+        self._listed = re.compile(
+            rf"(?<![\w-])({'|'.join(heads) or '(?!)'})(?: numbers?)? ({number}"
+            rf"(?:(?: and| or| to| through|-)* {number})*)(?![\w-])"
+        )
+
+    def base(self, token: str) -> str:
+        return token if token.isdigit() else lemma(token)
+
+    # -- objects -------------------------------------------------------------------------------
+
+    def objects_in(self, plain: str) -> tuple[tuple[str, ...], str]:
+        """The objects named, in order, and the text without their names."""
+        found: list[tuple[int, str]] = []
+
+        def several(match: re.Match[str]) -> str:
+            head = match[1]
+            known = self._numbered.get(head) or next(
+                each for one, each in self._numbered.items() if plural(one) == head
+            )
+            numbers = [number for number in _expanded(match[2]) if number in known]
+            found.extend((match.start(), known[number]) for number in numbers)
+            return " " * len(match[0])
+
+        def one(match: re.Match[str]) -> str:
+            found.append((match.start(), self._phrases[match[0]]))
+            return " " * len(match[0])
+
+        rest = self._pattern.sub(one, self._listed.sub(several, plain))
+        ordered = [name for _, name in sorted(found, key=lambda each: each[0])]
+        return tuple(dict.fromkeys(name for name in ordered if name != self._lexicon.me)), rest
+
+    def _kind_words(self) -> dict[str, tuple[str, ...]]:
+        kinds: dict[str, list[str]] = {}
+        for name in self._problem.objects:
+            if name == self._lexicon.me:
+                continue
+            words = {self._lexicon.type_words(name)}
+            words |= {" ".join(split_name(each)) for each in self._lexicon.types_of(name)}
+            for each in words:
+                kinds.setdefault(each, []).append(name)
+        return {each: tuple(names) for each, names in kinds.items()}
+
+    def kinds_in(self, tokens: list[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        text = f" {' '.join(tokens)} "
+        return tuple(
+            (kind, names)
+            for kind, names in self._kinds.items()
+            if f" {kind} " in text or f" {plural(kind)} " in text
+        )
+
+    # -- actions -------------------------------------------------------------------------------
+
+    def _action_words(self) -> Iterator[tuple[str, str, frozenset[str]]]:
+        """Each action with a verb for it, and the other words of the phrase."""
+        objects = {word for phrase in self._phrases for word in phrase.split()}
+        kinds = {word for kind in self._kinds for word in kind.split()}
+        for schema in self._problem.domain.actions:
+            for phrase in self._lexicon.action_phrases(schema.name):
+                verb, *rest = phrase.lower().split() or [""]
+                words = {self.base(word) for word in rest} - _EMPTY - kinds - objects
+                particles = {word for word in rest if word in PREPOSITIONS} | {"up", "down"} & set(
+                    rest
+                )
+                yield schema.name, verb, frozenset(words | particles)
+
+    def actions_in(self, plain: str, lemmas: dict[str, str]) -> tuple[str, ...]:
+        words = plain.split()
+        said = {
+            lemmas[word]
+            for index, word in enumerate(words)
+            if index == 0 or words[index - 1] not in ("next", "last", "your", "a", "the", "what")
+        } | {word for index, word in enumerate(words) if index and words[index - 1] == "you"}
+        present = set(lemmas) | set(lemmas.values())
+        scored: dict[str, tuple[int, int]] = {}
+        for name, verb, others in self._actions:
+            if verb in said:
+                shared = len(others & present)
+                key = (shared, -len(others - present))
+                scored[name] = max(scored.get(name, key), key)
+        best: dict[str, tuple[int, int]] = {}
+        for name, verb, _ in self._actions:
+            if name in scored and verb in said:
+                best[verb] = max(best.get(verb, scored[name]), scored[name])
+        return tuple(
+            dict.fromkeys(
+                name
+                for name, verb, _ in self._actions
+                if name in scored and verb in said and scored[name] == best[verb]
+            )
+        )
+
+    # -- facts ---------------------------------------------------------------------------------
+
+    def _predicate_words(self) -> Iterator[tuple[str, frozenset[str]]]:
+        """Each predicate that can change, with words that together say it."""
+        kinds = {word for kind in self._kinds for word in kind.split()} | {"robot"}
+        for predicate in sorted(self._problem.changing_predicates):
+            words = [word for word in split_name(predicate) if word not in _EMPTY]
+            content = {word for word in words if word not in PREPOSITIONS and word not in kinds}
+            yield predicate, frozenset(content or words)
+            for word in content:
+                if word.startswith("un") and len(word) > 4:
+                    # "which have not been checked" asks for the unchecked ones
+                    yield predicate, frozenset({"not", self.base(word[2:])})
+            if words and words[-1] in PREPOSITIONS:
+                yield predicate, frozenset({words[-1]})
+                yield predicate, frozenset({_ALIKE.get(words[-1], words[-1])})
+        for atom, phrase in self._lexicon.atom_phrases():
+            predicate, *arguments = atom.split()
+            text = phrase.lower()
+            for name in arguments:
+                for words_of in sorted(self._lexicon.synonyms(name), key=len, reverse=True):
+                    text = re.sub(rf"(?<!\w){re.escape(words_of)}(?!\w)", " ", text)
+            rest = frozenset(word for word in text.split() if word not in _EMPTY)
+            if rest - PREPOSITIONS:
+                yield predicate, rest
+
+    def predicates_in(self, plain: str, lemmas: dict[str, str]) -> tuple[str, ...]:
+        present = set(lemmas) | set(lemmas.values())
+        found: dict[str, int] = {}
+        for predicate, words in self._predicates:
+            matched = all(w in present or self._alike(w, lemmas) for w in words)
+            if matched:
+                found[predicate] = max(found.get(predicate, 0), len(words))
+        return tuple(sorted(found, key=lambda each: (-found[each], each)))
+
+    def _alike(self, word: str, lemmas: dict[str, str]) -> bool:
+        """Whether a word of a name has a form of the same verb among the words said."""
+        return len(word) > 3 and self.base(word) in lemmas.values()
+
+    def atoms_for(
+        self, predicates: tuple[str, ...], objects: tuple[str, ...], *, speaks_to_me: bool
+    ) -> Iterator[GroundAtom]:
+        """The facts that the named predicates and objects make up, all objects used."""
+        own = (self._lexicon.me,) if speaks_to_me and self._lexicon.me else ()
+        for predicate in predicates:
+            parameters = self._problem.domain.predicates[predicate]
+            places = []
+            for parameter in parameters:
+                fitting = self._problem.objects_for(parameter)
+                named = [name for name in (*objects, *own) if name in fitting]
+                if not named and len(fitting) == 1:
+                    named = list(fitting)
+                places.append(named)
+            for arguments in product(*places):
+                used = {*arguments}
+                if len(used) == len(arguments) and (
+                    len(parameters) == 1 or len(objects) < 2 or used >= set(objects)
+                ):
+                    yield " ".join([predicate, *arguments])
+
+
+def _expanded(numbers: str) -> Iterator[str]:
+    """The numbers of `0 and 1` or `1 to 3`."""
+    words = numbers.replace("-", " to ").split()
+    values: list[int] = []
+    span = False
+    for word in words:
+        if word in ("to", "through"):
+            span = True
+            continue
+        if word in ("and", "or"):
+            continue
+        value = NUMBERS.index(word) if word in NUMBERS else int(word)
+        if span and values and value > values[-1] and value - values[-1] < 1000:
+            values.extend(range(values[-1] + 1, value + 1))
+        else:
+            values.append(value)
+        span = False
+    return map(str, values)
