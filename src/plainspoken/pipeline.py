@@ -33,12 +33,12 @@ from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Ending, OutOfTime, Solved, Unsolvable, solve
 from plainspoken.planning.validation import Invalid, validate
 from plainspoken.planning.watch import Progress
+from plainspoken.world.derivation import derived_landmarks
+from plainspoken.world.document import read_text
 from plainspoken.world.domain import Problem, State
 from plainspoken.world.event import Entry, MissionAccepted
-from plainspoken.world.expression import read_text
 from plainspoken.world.landmark import (
     Landmarks,
-    derived_landmarks,
     landmarks_from_json,
     landmarks_to_json,
     read_landmarks,

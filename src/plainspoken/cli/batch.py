@@ -15,7 +15,7 @@ from rich.progress import track
 from plainspoken.cli.exit import write_whole
 from plainspoken.cli.site import FILE
 from plainspoken.errors import InputFileError
-from plainspoken.world.expression import read_text
+from plainspoken.world.document import read_text
 
 F = TypeVar("F", bound=Callable[..., Any])
 

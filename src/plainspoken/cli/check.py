@@ -12,7 +12,7 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.goal import chosen_goal
 from plainspoken.cli.site import FILE
 from plainspoken.pipeline import open_site
-from plainspoken.planning.policy import read_policy
+from plainspoken.planning.policy import check_belongs, read_policy
 from plainspoken.planning.validation import Invalid, validate
 
 
@@ -36,6 +36,7 @@ def check(domain: Path, problem: Path, goal: str | None, policy: Path, *, as_jso
     site = open_site(domain, problem)
     formula, _ = chosen_goal(goal, None, site)
     checked = read_policy(policy)
+    check_belongs(checked, site.problem, policy)
     verdict = validate(site.problem, formula, checked)
     reason = verdict.reason if isinstance(verdict, Invalid) else None
     node = verdict.node if isinstance(verdict, Invalid) else None

@@ -73,13 +73,22 @@ def demo(pace: float | None, store: str | None) -> None:
     console = Console()
     if pace is None:
         pace = PACE if console.is_terminal else 0.0
+    play_demo(console, pace=pace, store=store)
+
+
+def play_demo(console: Console, *, pace: float, store: str | None) -> None:
+    """Print the story on a console.
+
+    pace: real seconds for each simulated one
+    """
     clock = Stopwatch(time.perf_counter)
     console.print(Rule("plainspoken: from a sentence to a mission that answers"))
     with clock:
         folder = bundled("vineyard")
         site = open_site(folder / "domain.pddl", folder / "problem.pddl", folder / "landmarks.json")
         extraction = understand(SENTENCE, site)
-    console.print(Padding(f"\nA person says: [bold]“{SENTENCE}”[/]\n", (0, 2)))
+    said = Text.assemble("\nA person says: ", (f"“{SENTENCE}”", "bold"), "\n")
+    console.print(Padding(said, (0, 2)))
     explained(extraction, site.vocabulary, console)
     if extraction.formula is None:
         raise PlainspokenError("the demo's own sentence was not understood")
@@ -91,10 +100,12 @@ def demo(pace: float | None, store: str | None) -> None:
     console.print(_plan_panel(ending.policy, lexicon))
     request = Request(new_mission_id(utc_now), extraction.formula, SENTENCE)
     _play(site, request, ending.policy, console, pace=pace, store=store, clock=clock)
-    console.print(
-        f"\n  Extracted, planned, validated and simulated in [bold]{clock.seconds:.2f} s[/] "
-        f"of computing; kept in {store_path(store)}\n"
+    computed = Text.assemble(
+        "\nExtracted, planned, validated and simulated in ",
+        (f"{clock.seconds:.2f} s", "bold"),
+        f" of computing.\nThe mission is kept in {store_path(store)}\n",
     )
+    console.print(Padding(computed, (0, 2)))
     console.print(
         Panel(Text("\n".join(NEXT)), title="what to try next", title_align="left", style="green")
     )

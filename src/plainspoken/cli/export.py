@@ -9,10 +9,12 @@ import click
 from plainspoken.automata.construction import automata_for
 from plainspoken.automata.hoa import hoa as automaton_text
 from plainspoken.cli.exit import write_whole
-from plainspoken.cli.site import FILE
+from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.logic.syntax import parse
+from plainspoken.pipeline import Site
 from plainspoken.planning import diagram
 from plainspoken.planning.policy import read_policy
+from plainspoken.questions.lexicon import Lexicon
 
 
 @click.group()
@@ -36,20 +38,52 @@ def _written(text: str, out: Path | None) -> None:
 _out = click.option("--out", type=FILE, metavar="FILE", help="Where to (default: the terminal).")
 
 
+_words = click.option(
+    "--words", is_flag=True, help="In words; for another site than the vineyard give -d and -p."
+)
+
+
 @export.command()
 @click.argument("policy", type=FILE)
+@_words
+@site_options
 @_out
-def dot(policy: Path, out: Path | None) -> None:
+def dot(
+    policy: Path,
+    *,
+    words: bool,
+    domain: Path | None,
+    problem: Path | None,
+    landmarks: Path | None,
+    out: Path | None,
+) -> None:
     """POLICY, which plan --out wrote, as a graph in DOT (Graphviz)."""
-    _written(diagram.dot(read_policy(policy)), out)
+    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
+    _written(diagram.dot(read_policy(policy), action=action, atom=atom), out)
 
 
 @export.command()
 @click.argument("policy", type=FILE)
+@_words
+@site_options
 @_out
-def mermaid(policy: Path, out: Path | None) -> None:
+def mermaid(
+    policy: Path,
+    *,
+    words: bool,
+    domain: Path | None,
+    problem: Path | None,
+    landmarks: Path | None,
+    out: Path | None,
+) -> None:
     """POLICY, which plan --out wrote, as a Mermaid flowchart for Markdown pages."""
-    _written(diagram.mermaid(read_policy(policy)), out)
+    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
+    _written(diagram.mermaid(read_policy(policy), action=action, atom=atom), out)
+
+
+def _labels(site: Site) -> tuple[diagram.Words, diagram.Words]:
+    lexicon = Lexicon(site.problem, site.landmarks)
+    return lambda action: lexicon.deed(action).bare, lambda atom: lexicon.clause(atom).said()
 
 
 @export.command()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,7 +9,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 from plainspoken.errors import InputFileError
-from plainspoken.world.domain import GroundAction, GroundAtom, State
+from plainspoken.world.document import read_json
+from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
 
 NodeId = int
 PolicyKind = Literal["strong", "strong-cyclic"]
@@ -127,19 +127,7 @@ def read_policy(path: str | Path) -> Policy:
 
     raises InputFileError: with the line or field
     """
-    try:
-        document = json.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputFileError(
-            f"cannot read the file: {error.strerror}", path, hint="check the path"
-        ) from error
-    except json.JSONDecodeError as error:
-        raise InputFileError(
-            f"not JSON: {error.msg}", path, line=error.lineno, column=error.colno
-        ) from error
-    except (UnicodeDecodeError, RecursionError) as error:
-        raise InputFileError("not a JSON text in UTF-8", path) from error
-    return policy_from_json(document, path)
+    return policy_from_json(read_json(path), path)
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,3 +177,36 @@ class _Fields:
             if not isinstance(value, int) or isinstance(value, bool):
                 raise self.wrong(f"{place}.{name}".lstrip("."), "a list of whole numbers", value)
         return values
+
+
+def check_belongs(policy: Policy, problem: Problem, path: str | Path) -> None:
+    """Make sure that a policy speaks of this problem; whether it is valid is another question.
+
+    raises InputFileError: with the field that names what the problem does not have
+    """
+    names = {schema.name: len(schema.parameters) for schema in problem.domain.actions}
+    predicates = {name: len(places) for name, places in problem.domain.predicates.items()}
+    hint = "is it a policy for another problem?"
+
+    def known(text: str, arities: Mapping[str, int]) -> bool:
+        head, *arguments = text.split() or [""]
+        return arities.get(head) == len(arguments) and all(a in problem.objects for a in arguments)
+
+    foreign = sorted(atom for atom in policy.static if not known(atom, predicates))
+    if foreign:
+        raise InputFileError(
+            f"the problem has no atom {foreign[0]!r}", path, field="static", hint=hint
+        )
+    atoms = {atom for node in policy.nodes for atom in node.state}
+    foreign = sorted(atom for atom in atoms if not known(atom, predicates))
+    for node in policy.nodes:
+        place = f"the node {node.id}"
+        if node.action is not None and not known(node.action, names):
+            raise InputFileError(
+                f"the problem has no action {node.action!r}", path, field=place, hint=hint
+            )
+        for atom in foreign:
+            if atom in node.state:
+                raise InputFileError(
+                    f"the problem has no atom {atom!r}", path, field=place, hint=hint
+                )

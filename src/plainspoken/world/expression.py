@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from plainspoken.errors import InputFileError
+from plainspoken.world.document import read_text
 from plainspoken.world.domain import Parameter
 
 UNSUPPORTED = {
@@ -104,21 +105,6 @@ def _one_too_many(path: str | Path, line: int) -> InputFileError:
     return InputFileError(
         "a ')' too many", path, line=line, hint="the first (...) of the file ends before it should"
     )
-
-
-def read_text(path: str | Path) -> str:
-    """The text of a file in UTF-8.
-
-    raises InputFileError: when it cannot be read
-    """
-    try:
-        return Path(path).read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise InputFileError(
-            f"cannot read the file: {error.strerror}", path, hint="check the path"
-        ) from error
-    except UnicodeDecodeError as error:
-        raise InputFileError("not a text file in UTF-8", path) from error
 
 
 class PddlFile:

@@ -192,7 +192,7 @@ def _refuse_cycles(file: PddlFile, types: Mapping[str, str], at: Expression) -> 
         seen = [start]
         while (parent := types.get(seen[-1], "object")) != "object":
             if parent in seen:
-                file.fail(f"the type {start!r} is below itself", at)
+                file.fail(f"the type {parent!r} is below itself", at)
             seen.append(parent)
 
 

@@ -47,9 +47,9 @@ class SchemaReader:
         self._variables: set[str] = set()
 
     def action(self, section: Expression) -> Action:
-        if len(section) < 2 or not isinstance(section[1], str):
+        name = section[1] if len(section) > 1 else ""
+        if not isinstance(name, str) or not name or name.startswith(":"):
             self._file.expected("(:action NAME ...)", section, section)
-        name = section[1]
         parts: dict[str, Expression | str] = {}
         rest = iter(section[2:])
         for key in rest:
