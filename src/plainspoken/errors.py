@@ -60,6 +60,18 @@ class FormulaSyntaxError(PlainspokenError):
         )
 
 
+class FormulaTooLargeError(PlainspokenError):
+    """The automaton of one part of a formula is too large to work with."""
+
+    def __init__(self, part: str) -> None:
+        self.part = part
+        super().__init__(
+            "the formula asks for too many things at once",
+            where=part if len(part) <= 200 else part[:197] + "...",
+            hint="parts joined by & at the top are kept apart: say it as several of them",
+        )
+
+
 class InputFileError(PlainspokenError):
     """A file cannot be read, or does not hold what it should.
 
@@ -104,19 +116,18 @@ class UnknownSymbolError(PlainspokenError):
         super().__init__(f"the planning problem has no symbol {symbol!r}", where=where, hint=hint)
 
 
-class AmbiguousSymbolError(PlainspokenError):
-    """An id can be read as several atoms or actions of the planning problem.
+class AmbiguousSymbolError(UnknownSymbolError):
+    """An id stands for several atoms or actions of the planning problem, so for none of them.
 
     readings: in PDDL
     """
 
     def __init__(self, symbol: str, readings: Iterable[str]) -> None:
-        self.symbol = symbol
+        super().__init__(symbol, known=())
         self.readings = tuple(readings)
-        super().__init__(
-            f"the symbol {symbol!r} can be read as {' or '.join(self.readings)}",
-            hint="rename one of the objects in the planning problem",
-        )
+        self.what = f"the symbol {symbol!r} can be read as {' or '.join(self.readings)}"
+        self.hint = "rename one of the objects in the planning problem"
+        self.args = (self.what,)
 
 
 def _window(text: str, column: int, width: int = 72) -> tuple[str, int]:

@@ -12,7 +12,8 @@ only where a planner goes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import Generic, TypeVar
@@ -20,11 +21,13 @@ from typing import Generic, TypeVar
 from plainspoken.automata.progression import (
     NO_INSTANT_LEFT,
     SOME_INSTANT_LEFT,
+    Entailments,
     all_of,
     any_of,
     entails,
     satisfied_at_end,
 )
+from plainspoken.errors import FormulaTooLargeError
 from plainspoken.logic.formula import (
     Always,
     And,
@@ -42,6 +45,7 @@ from plainspoken.logic.formula import (
     conjuncts,
     negation_normal_form,
 )
+from plainspoken.logic.syntax import unparse
 from plainspoken.logic.trace import Letter
 
 StateId = int
@@ -50,8 +54,9 @@ Clause = frozenset[int]
 Residual = frozenset[Clause]
 """Some clause has all its obligations met. No clause: false. The empty clause: true."""
 
-MOST_STATES = 20_000
-"""Beyond this many states an automaton is not explored to the end (see `can_accept`)."""
+MOST_GUARDS = 100_000
+"""An automaton with more guards is not explored to the end (see `can_accept`)."""
+MOST_GUARDS_OF_A_STATE = 10_000
 
 _FALSE: Residual = frozenset()
 _TRUE: Residual = frozenset({frozenset()})
@@ -125,7 +130,10 @@ class Automaton:
         return self._residuals.formula(self._states[state])
 
     def guards(self, state: StateId) -> tuple[Guard, ...]:
-        """Where each letter leads, as cubes that are disjoint and cover all letters."""
+        """Where each letter leads, as cubes that are disjoint and cover all letters.
+
+        raises FormulaTooLargeError: when there are more than MOST_GUARDS_OF_A_STATE
+        """
         if state not in self._guards:
             algebra = _Algebra(
                 literal=_cubes_of_literal,
@@ -133,7 +141,10 @@ class Automaton:
                 meet=lambda a, b: _product(a, b, _FALSE, self._residuals.meet),
                 join=lambda a, b: _product(a, b, _TRUE, self._residuals.join),
             )
-            cubes = _unfolded(self.residual(state), algebra, self._residuals, self._cubes)
+            try:
+                cubes = _unfolded(self.residual(state), algebra, self._residuals, self._cubes)
+            except _TooManyCubes:
+                raise FormulaTooLargeError(unparse(self.formula)) from None
             self._guards[state] = tuple(
                 Guard(positive, negative, self._number(residual))
                 for positive, negative, residual in cubes
@@ -158,12 +169,17 @@ class Automaton:
     def _fates(self) -> tuple[frozenset[StateId] | None, frozenset[StateId] | None]:
         """The states from which an accepting, and from which a rejecting state is reachable."""
         predecessors: dict[StateId, set[StateId]] = {}
-        state = 0
+        state = met = 0
         # Guards number new states as they meet them; the loop ends when there are none.
         while state < len(self._states):
-            if state >= MOST_STATES:
+            try:
+                guards = self.guards(state)
+            except FormulaTooLargeError:
                 return None, None
-            for guard in self.guards(state):
+            met += len(guards)
+            if met > MOST_GUARDS:
+                return None, None
+            for guard in guards:
                 predecessors.setdefault(guard.target, set()).add(state)
             state += 1
         accepting = {s for s in range(len(self)) if self.accepts(s)}
@@ -196,6 +212,9 @@ class _Residuals:
         self._obligations: list[Formula] = []
         self._numbers: dict[Formula, int] = {}
         self._entailed: dict[tuple[int, int], bool] = {}
+        self._known: Entailments = {}
+        self._met: dict[tuple[Residual, Residual], Residual] = {}
+        self._joined: dict[tuple[Residual, Residual], Residual] = {}
 
     def of(self, formula: Formula) -> Residual:
         """A formula about the instants left as clauses of obligations."""
@@ -227,7 +246,10 @@ class _Residuals:
             return right
         if right == _TRUE or left == _FALSE:
             return left
-        return self._least(self._tight(a | b) for a in left for b in right)
+        key = (left, right)
+        if key not in self._met:
+            self._met[key] = self._least(self._tight(a | b) for a in left for b in right)
+        return self._met[key]
 
     def join(self, left: Residual, right: Residual) -> Residual:
         """One of them holds."""
@@ -235,12 +257,17 @@ class _Residuals:
             return right
         if right == _FALSE or left == _TRUE:
             return left
-        return self._least(left | right)
+        key = (left, right)
+        if key not in self._joined:
+            self._joined[key] = self._least(left | right)
+        return self._joined[key]
 
     def _entails(self, stronger: int, weaker: int) -> bool:
         key = (stronger, weaker)
         if key not in self._entailed:
-            self._entailed[key] = entails(self._obligations[stronger], self._obligations[weaker])
+            self._entailed[key] = entails(
+                self._obligations[stronger], self._obligations[weaker], self._known
+            )
         return self._entailed[key]
 
     def _tight(self, clause: Clause) -> Clause:
@@ -263,6 +290,10 @@ class _Residuals:
 
     def _clause_entails(self, stronger: Clause, weaker: Clause) -> bool:
         return all(any(self._entails(f, g) for f in stronger) for g in weaker)
+
+
+class _TooManyCubes(Exception):
+    pass
 
 
 V = TypeVar("V")
@@ -358,4 +389,24 @@ def _product(
             if not (positive & also_negative or negative & also_positive):
                 joined = combine(residual, other)
                 found.append((positive | also_positive, negative | also_negative, joined))
-    return tuple(found)
+        if len(found) > MOST_GUARDS_OF_A_STATE:
+            raise _TooManyCubes
+    return _merged(found)
+
+
+def _merged(cubes: Sequence[_Cube]) -> _Cubes:
+    """The same letters in fewer cubes: two that differ in one sign only become one."""
+    often = Counter(residual for _, _, residual in cubes)
+    found: dict[tuple[frozenset[str], frozenset[str]], Residual] = {}
+    todo = [*reversed(cubes)]
+    while todo:
+        positive, negative, residual = todo.pop()
+        for name in sorted(positive | negative) if often[residual] > 1 else ():
+            other = (positive ^ {name}, negative ^ {name})
+            if found.get(other) == residual:
+                del found[other]
+                todo.append((positive - {name}, negative - {name}, residual))
+                break
+        else:
+            found[positive, negative] = residual
+    return tuple((positive, negative, residual) for (positive, negative), residual in found.items())

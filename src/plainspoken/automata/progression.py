@@ -75,14 +75,17 @@ def _progress(formula: Formula, letter: Letter) -> Formula:
 
 def satisfied_at_end(residual: Formula) -> bool:
     """Whether the residual holds when no instant is left."""
-    formula = negation_normal_form(residual)
+    return _at_end(negation_normal_form(residual))
+
+
+def _at_end(formula: Formula) -> bool:
     match formula:
         case Constant(value):
             return value
         case And(operands):
-            return all(map(satisfied_at_end, operands))
+            return all(map(_at_end, operands))
         case Or(operands):
-            return any(map(satisfied_at_end, operands))
+            return any(map(_at_end, operands))
         case WeakNext() | Always() | Release():
             return True
         case _:
@@ -119,36 +122,56 @@ def any_of(*residuals: Formula) -> Formula:
     return TRUE if TRUE in operands else disjunction(*operands)
 
 
-def entails(stronger: Formula, weaker: Formula) -> bool:
+Entailments = dict[tuple[int, int], bool]
+"""What `entails` found, by the `id` of two formulas that somebody else keeps alive."""
+
+
+def entails(stronger: Formula, weaker: Formula, known: Entailments | None = None) -> bool:
     """Whether one residual plainly entails another, over any number of instants left, none too.
 
     Sound and far from complete: a few rules that keep the automata of nested `F`, `U` and `G`
     small. Both in negation normal form.
+    known: earlier answers about the same objects; without them the rules may try a pair of
+           subformulas exponentially often
     """
+    if known is None:
+        known = {}
+    key = (id(stronger), id(weaker))
+    if key not in known:
+        known[key] = _entails(stronger, weaker, known)
+    return known[key]
+
+
+def _entails(stronger: Formula, weaker: Formula, known: Entailments) -> bool:
+    def follows(left: Formula, right: Formula) -> bool:
+        return entails(left, right, known)
+
     if stronger in (weaker, FALSE) or weaker == TRUE:
         return True
     match stronger, weaker:
         case Or(operands), _:
-            return all(entails(f, weaker) for f in operands)
+            return all(follows(f, weaker) for f in operands)
         case _, And(operands):
-            return all(entails(stronger, f) for f in operands)
-        case And(operands), _ if any(entails(f, weaker) for f in operands):
+            return all(follows(stronger, f) for f in operands)
+        case And(operands), _ if any(follows(f, weaker) for f in operands):
             return True
-        case _, Or(operands) if any(entails(stronger, f) for f in operands):
+        case _, Or(operands) if any(follows(stronger, f) for f in operands):
             return True
-        case Eventually(f), Eventually():
-            return entails(f, weaker)
-        case Until(_, goal), Eventually() if entails(goal, weaker):
+        # A goal that is met at once; over no instants `F` and `U` are false, whatever the goal.
+        case _, Eventually(goal) | Until(_, goal) if not _at_end(stronger) and follows(
+            stronger, goal
+        ):
             return True
+        # What holds throughout holds at once; over no instants `G` and `R` are true.
+        case Always(hold) | Release(_, hold), _ if _at_end(weaker) and follows(hold, weaker):
+            return True
+        case Eventually(goal) | Until(_, goal), Eventually():
+            return follows(goal, weaker)
         case Until(hold, goal), Until(weaker_hold, weaker_goal):
-            return entails(hold, weaker_hold) and entails(goal, weaker_goal)
-        case Always(f), Always(g):
-            return entails(f, g) or entails(stronger, g)
-        case Always(f), Release(_, hold):
-            return entails(f, hold)
+            return follows(hold, weaker_hold) and follows(goal, weaker_goal)
+        case Always(f), Always(hold) | Release(_, hold):
+            return follows(f, hold) or follows(stronger, hold)
         case Release(release, hold), Release(weaker_release, weaker_hold):
-            return entails(release, weaker_release) and entails(hold, weaker_hold)
-        case _, Eventually(f) if not satisfied_at_end(stronger):
-            return entails(stronger, f)
+            return follows(release, weaker_release) and follows(hold, weaker_hold)
         case _:
             return False

@@ -37,10 +37,10 @@ from plainspoken.logic.formula import (
 )
 
 OPERATORS = "! & | -> <-> X (strong next) WX (weak next) F G U W R true false"
-DEEPEST = 100
+DEEPEST = 150
 """Operators nested deeper than this are refused: no mission needs them, and recursion ends."""
-MOST_EQUIVALENCES = 8
-"""More `<->` inside each other are refused: the normal form doubles with each of them."""
+MOST_DOUBLINGS = 10
+"""More `<->` and `W` inside each other are refused: the normal form doubles with each of them."""
 
 SPELLINGS = {
     "&&": "&",
@@ -202,13 +202,13 @@ class _Parser:
         # Without recursion: chains such as a <-> b <-> c nest deeper than the parser went.
         todo = [(formula, 0, 0)]
         while todo:
-            part, depth, equivalences = todo.pop()
-            equivalences += isinstance(part, Iff)
+            part, depth, doublings = todo.pop()
+            doublings += isinstance(part, (Iff, WeakUntil))
             if depth > DEEPEST:
                 raise self._error(0, _TOO_DEEP)
-            if equivalences > MOST_EQUIVALENCES:
-                raise self._error(0, f"more than {MOST_EQUIVALENCES} '<->' inside each other")
-            todo += [(child, depth + 1, equivalences) for child in children(part)]
+            if doublings > MOST_DOUBLINGS:
+                raise self._error(0, f"more than {MOST_DOUBLINGS} '<->' or 'W' inside each other")
+            todo += [(child, depth + 1, doublings) for child in children(part)]
 
 
 def unparse(formula: Formula) -> str:

@@ -73,7 +73,10 @@ def holds(formula: Formula, trace: Trace, at: Instant = 0) -> bool:
                 for i in rest
             )
         case WeakUntil(left, right):
-            return holds(Until(left, right), trace, at) or holds(Always(left), trace, at)
+            return all(
+                holds(left, trace, i) or any(holds(right, trace, j) for j in range(at, i + 1))
+                for i in rest
+            )
         case Release(left, right):
             return all(
                 holds(right, trace, i) or any(holds(left, trace, j) for j in range(at, i))

@@ -191,7 +191,9 @@ class Problem:
     def changing_predicates(self) -> frozenset[str]:
         """The predicates that some action adds or deletes; the others are static."""
         return frozenset(
-            atom.predicate for action in self.domain.actions for atom in _changed(action.effect)
+            atom.predicate
+            for action in self.domain.actions
+            for atom, _ in changed_atoms(action.effect)
         )
 
     def action(self, name: str) -> tuple[Action, ...]:
@@ -204,12 +206,15 @@ def ground(atom: AtomCondition, binding: Mapping[str, str]) -> GroundAtom:
     return " ".join([atom.predicate, *(binding.get(term, term) for term in atom.terms)])
 
 
-def _changed(effect: Effect) -> Iterator[AtomCondition]:
+def changed_atoms(effect: Effect) -> Iterator[tuple[AtomCondition, bool]]:
+    """The atoms that an effect may add (True) or delete (False), wherever they stand in it."""
     match effect:
-        case Add(atom) | Delete(atom):
-            yield atom
+        case Add(atom):
+            yield atom, True
+        case Delete(atom):
+            yield atom, False
         case Together(effects) | OneOf(effects):
             for part in effects:
-                yield from _changed(part)
+                yield from changed_atoms(part)
         case When(_, part) | ForEach(_, part):
-            yield from _changed(part)
+            yield from changed_atoms(part)

@@ -276,6 +276,8 @@ def entry_from_json(document: Mapping[str, Any]) -> Entry:
             continue  # a log written before there was such a field
         value = document[each.name]
         if each.name == "state":
+            if not isinstance(value, list):
+                raise TypeError(f"a state is a list of ground atoms, got {value!r}")
             value = frozenset(value)
         elif isinstance(value, list):
             value = tuple(value)

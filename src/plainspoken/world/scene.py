@@ -72,7 +72,7 @@ def satisfies(
 
 def instances(problem: Problem, action: GroundAction) -> Iterator[tuple[Action, Binding]]:
     """The schemas and bindings that a ground action names; none if it names nothing."""
-    name, *arguments = action.split()
+    name, *arguments = action.split() or [""]
     for schema in problem.action(name):
         if len(schema.parameters) == len(arguments) and all(
             argument in problem.objects_for(parameter)

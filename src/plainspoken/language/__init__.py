@@ -1,0 +1,1 @@
+"""From an utterance to a grounded formula: refer, lift, ground."""

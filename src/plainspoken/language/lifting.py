@@ -1,0 +1,375 @@
+"""Statements to mission patterns over placeholders: the symbolic translation, by construction.
+
+Source: Argenziano et al., section on symbolic translation; there a trained model does this step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from plainspoken.language.clause import Act, Clause, Operand, Statement
+from plainspoken.language.grounding import Shape
+from plainspoken.language.itinerary import Chain
+from plainspoken.language.lexicon import Kind
+from plainspoken.language.main_clause import MainClauses
+from plainspoken.logic.formula import (
+    Atom,
+    Formula,
+    Next,
+    Until,
+    conjunction,
+    disjunction,
+)
+from plainspoken.logic.pattern import (
+    AtMost,
+    BoundDelay,
+    BoundReaction,
+    Choice,
+    DelayedReaction,
+    FutureAvoidance,
+    GuardedVisit,
+    InstantaneousReaction,
+    PastAvoidance,
+    Pattern,
+    PromptPrecedence,
+    PromptReaction,
+    Visit,
+    Wait,
+    negated,
+)
+
+_SPECIFIC = (Kind.RIGHT_AFTER_THAT, Kind.NEXT, Kind.NEXT_INSTANT)
+
+
+@dataclass(frozen=True, slots=True)
+class Lifted:
+    """The patterns of an utterance, all of which are to hold, and what asks for nothing.
+
+    permissions: clauses that only allow
+    remarks:     clauses that only tell what is the case
+    """
+
+    patterns: tuple[Pattern, ...]
+    permissions: int = 0
+    remarks: int = 0
+
+
+def lifted(
+    said: Sequence[Statement],
+    placeholder: Callable[[Operand], Atom],
+    persists: Callable[[Operand], bool],
+) -> Lifted:
+    """The patterns that an utterance asks for, over the placeholders of its operands."""
+    return _Lifter(placeholder, persists).lifted(said)
+
+
+class _Lifter(MainClauses):
+    """Main clauses together with what belongs to them."""
+
+    def lifted(self, said: Sequence[Statement]) -> Lifted:
+        for options in _options(said):
+            if len(options) == 1:
+                for statement in options[0]:
+                    self._statement(statement)
+            else:
+                self._choice(options)
+        return Lifted(self._route.merged(), self._permissions, self._remarks)
+
+    def _choice(self, options: Sequence[Sequence[Statement]]) -> None:
+        found = [_Lifter(self._placeholder, self._persists).lifted(each) for each in options]
+        self._permissions += sum(each.permissions for each in found)
+        self._remarks += sum(each.remarks for each in found)
+        if all(each.patterns for each in found):
+            self._route.add(Choice(tuple(each.patterns for each in found)))
+        self._route.chain = None
+
+    # Statements.
+
+    def _statement(self, statement: Statement) -> None:
+        main = statement.main
+        subordinates = [each for each in statement.subordinates if each.operands]
+        again = main.act is Act.AVOID and Kind.AGAIN in main.flags
+        if not main.operands and self._before is not None and (subordinates or again):
+            main = _with_operands(main, self._before.operands)
+        if Kind.NO_OTHER in main.flags and not main.operands:
+            self._route.bind(None)
+            return
+        if not main.operands:
+            if self._route.chain is not None and Kind.NO_RETURN in main.flags:
+                self._route.chain.strict = True
+            if self._route.chain is not None and Kind.IN_ORDER in main.flags:
+                self._route.chain.ordered = True
+            return
+        also = any(
+            each.link is Kind.BUT and each.connector in (Kind.ONLY_IF, Kind.ONLY_AFTER)
+            for each in subordinates
+        )
+        if (not subordinates or also) and not self._goes_on(main):
+            self._alone(main)
+        for clause in subordinates:
+            self._joined(main, clause)
+        self._before = main
+
+    # Main and subordinate clause.
+
+    def _joined(self, main: Clause, clause: Clause) -> None:
+        trigger = self._situation(clause)
+        parts = self._all(main)
+        match clause.connector:
+            case Kind.WHEN | Kind.WHENEVER | Kind.AFTER | Kind.PROMPTLY:
+                self._reaction(main, clause, trigger, parts)
+            case Kind.BEFORE:
+                self._before_clause(main, clause, trigger, parts)
+            case Kind.RIGHT_BEFORE:
+                self._right_before(main, clause, trigger, parts)
+            case Kind.UNTIL:
+                self._until(main, clause, trigger, parts)
+            case Kind.UNLESS:
+                self._unless(main, clause, trigger, parts)
+            case Kind.WHILE:
+                self._while(main, clause, trigger, parts)
+            case Kind.WITHOUT:
+                self._without(main, clause, parts)
+            case Kind.ONLY_IF if Kind.ALREADY in clause.flags:
+                self._only_after(main, clause, parts)
+            case Kind.ONLY_IF:
+                for part in parts:
+                    self._route.add(InstantaneousReaction(part, trigger))
+            case Kind.ONLY_AFTER:
+                self._only_after(main, clause, parts)
+            case Kind.ONLY_RIGHT_AFTER:
+                for part in parts:
+                    self._route.add(PromptPrecedence(trigger, part, self._steady(clause)))
+            case Kind.IFF:
+                bound = self._response(main, parts)
+                if main.flags & {Kind.NEXT, Kind.NEXT_INSTANT, *_SPECIFIC}:
+                    self._route.add(BoundDelay(trigger, bound, self._steady(clause)))
+                else:
+                    self._route.add(BoundReaction(trigger, bound))
+            case _:
+                raise AssertionError(clause.connector)
+
+    def _reaction(
+        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
+    ) -> None:
+        flags = main.flags | clause.flags
+        if main.act is Act.AVOID and not main.counts:
+            self._reaction_forbidden(main, clause, trigger, parts)
+            return
+        response = self._response(main, parts)
+        steady = self._steady(clause)
+        prompt = clause.connector is Kind.PROMPTLY or bool(
+            flags & {Kind.NEXT, Kind.NEXT_INSTANT, Kind.RIGHT_AFTER_THAT}
+        )
+        if Kind.NO_OTHER in flags:
+            self._route.add(
+                (BoundDelay(trigger, response, steady))
+                if prompt
+                else BoundReaction(trigger, response)
+            )
+        elif Kind.ONLY_THEN in (main.link, *flags) or main.link is Kind.ONLY_THEN:
+            for part in parts:
+                self._route.add(PastAvoidance(part, trigger))
+        elif prompt:
+            self._route.add(PromptReaction(trigger, response, steady))
+        elif Kind.NOW in flags or main.act is Act.STAY:
+            self._route.add(InstantaneousReaction(trigger, response))
+        elif clause.connector is Kind.AFTER and self._is_journey(main, clause):
+            self._extend(clause, parts)
+        elif main.modality is Kind.MAY:
+            self._permissions += 1
+        else:
+            self._route.add(DelayedReaction(trigger, response))
+
+    def _is_journey(self, main: Clause, clause: Clause) -> bool:
+        """Whether "after a, b" tells where to go next, and not what to do whenever."""
+        places = all(
+            operand.reference.shape is Shape.PLACE for operand in (*main.operands, *clause.operands)
+        )
+        return places and main.modality is None and Kind.LATER not in main.flags
+
+    def _extend(self, clause: Clause, parts: list[Formula]) -> None:
+        earlier = self._all(clause)
+        chain = self._route.chain
+        if chain is not None and earlier == chain.places[-1:]:
+            chain.places += parts
+        elif chain is not None and parts == chain.places[:1]:
+            chain.places[:0] = earlier
+        else:
+            self._route.chain = Chain([*earlier, *parts])
+            self._route.add(self._route.chain)
+
+    def _reaction_forbidden(
+        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
+    ) -> None:
+        states = all(o.reference.shape is Shape.STATE for o in clause.operands)
+        same = clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
+            states or Kind.BE in clause.flags
+        )
+        for part in parts:
+            if clause.connector is Kind.PROMPTLY or Kind.NEXT_INSTANT in main.flags:
+                self._route.add(PromptReaction(trigger, negated(part), self._steady(clause)))
+            elif (same and Kind.AFTER_THAT not in main.flags) or Kind.NOW in main.flags:
+                self._route.add(InstantaneousReaction(trigger, negated(part)))
+            elif clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
+                clause.act is Act.AVOID or all(o.negated for o in clause.operands)
+            ):
+                # "not b if you have not been to a"
+                self._route.add(PastAvoidance(part, negated(trigger)))
+            elif part == trigger:
+                self._route.add(AtMost(part, 1))
+            else:
+                self._route.add(FutureAvoidance(trigger, part))
+
+    def _before_clause(
+        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
+    ) -> None:
+        later = self._all(clause)
+        if main.act is Act.AVOID:
+            self._until(main, clause, trigger, parts)
+        elif main.act is Act.STAY and all(
+            operand.reference.shape is Shape.STATE for operand in main.operands
+        ):
+            # "wait for it to be full before going there"
+            for each in later:
+                self._route.add(PastAvoidance(each, self._response(main, parts)))
+        elif main.act is Act.STAY:
+            self._route.add(Wait(self._response(main, parts), trigger))
+        elif main.modality is Kind.MAY:
+            self._permissions += 1
+        elif self._is_tour(main, clause):
+            chain = self._route.chain
+            if chain is not None and later == chain.places[-1:] and len(parts) == 1:
+                chain.places[-1:-1] = parts
+                chain.ordered = True
+            else:
+                self._route.chain = Chain([*parts, *later], ordered=True)
+                self._route.add(self._route.chain)
+        else:
+            either = any(operand.link is Kind.OR for operand in main.operands)
+            earlier = [self._response(main, parts)] if either else parts
+            for each in later:
+                for part in earlier:
+                    self._route.add(PastAvoidance(each, part, demanded=True))
+
+    def _is_tour(self, main: Clause, clause: Clause) -> bool:
+        return main.modality is None and all(
+            operand.reference.shape is Shape.PLACE for operand in (*main.operands, *clause.operands)
+        )
+
+    def _right_before(
+        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
+    ) -> None:
+        for part in parts:
+            if main.act is Act.AVOID:
+                self._route.add(InstantaneousReaction(part, negated(Next(trigger))))
+            else:
+                self._route.add(
+                    PromptPrecedence(part, trigger, all(map(self._persists, main.operands)))
+                )
+
+    def _until(self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]) -> None:
+        if main.act is Act.AVOID:
+            again = Kind.AGAIN in main.flags
+            for part in parts:
+                for guard in self._each(clause):
+                    if not (again and self._route.enter_once(part, guard)):
+                        self._route.add(PastAvoidance(part, guard))
+        elif self._route.chain is not None and parts == self._route.chain.places[-1:]:
+            # "go there and stay until ...": staying begins when it gets there
+            here = parts[0]
+            self._route.chain.places[-1] = conjunction(here, Until(here, trigger))
+        else:
+            self._route.add(Wait(self._response(main, parts), trigger))
+
+    def _unless(self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]) -> None:
+        if main.act is not Act.AVOID:
+            self._route.add(Visit((disjunction(self._response(main, parts), trigger),)))
+            return
+        steady = all(o.reference.shape is Shape.STATE for o in clause.operands)
+        for part in parts:
+            if steady:
+                self._route.add(InstantaneousReaction(part, trigger))
+            else:
+                self._route.add(PastAvoidance(part, trigger))
+
+    def _while(self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]) -> None:
+        if clause.act is Act.AVOID and main.act is Act.DO:
+            # "go to a while avoiding b": b stays out until a, if b is on the way at all.
+            self._visited(main, parts) if not main.counts else self._counted(main, parts)
+            for avoided in self._all(clause):
+                self._route.guards += [(avoided, part) for part in parts]
+        elif main.act is Act.AVOID:
+            for part in parts:
+                self._route.add(InstantaneousReaction(trigger, negated(part)))
+        elif main.act is Act.STAY or main.modality is Kind.MUST or Kind.ALWAYS in main.flags:
+            self._route.add(InstantaneousReaction(trigger, self._response(main, parts)))
+        else:
+            self._route.add(Visit((conjunction(*parts, trigger),)))
+
+    def _without(self, main: Clause, clause: Clause, parts: list[Formula]) -> None:
+        flags = main.flags | clause.flags
+        steady = all(map(self._persists, clause.operands))
+        for other in self._all(clause):
+            for part in parts:
+                if Kind.RIGHT_BEFORE_THAT in flags:
+                    self._route.add(PromptPrecedence(other, part, steady))
+                elif flags & set(_SPECIFIC):
+                    self._route.add(
+                        PromptReaction(part, other, all(map(self._persists, main.operands)))
+                    )
+                elif Kind.AFTER_THAT in flags or Kind.LATER in flags:
+                    self._route.add(DelayedReaction(part, other))
+                elif main.act is Act.AVOID:
+                    self._route.add(PastAvoidance(part, other))
+                else:
+                    continue
+        if main.act is Act.DO:
+            self._alone(main)
+            self._route.guards += [(other, part) for other in self._all(clause) for part in parts]
+
+    def _only_after(self, main: Clause, clause: Clause, parts: list[Formula]) -> None:
+        chain = self._route.chain
+        guards = self._each(clause)
+        tour = self._is_tour(main, clause) and main.act is not Act.AVOID
+        if tour and chain is not None and (
+            self._continues(main) or guards[-1] == chain.places[-1]
+        ):  # fmt: skip
+            chain.places += [part for part in parts if part not in chain.places]
+            self._route.guards += [(part, guard) for part in parts for guard in guards]
+            return
+        for part in parts:
+            for guard in guards:
+                self._route.add(GuardedVisit(part, guard) if tour else PastAvoidance(part, guard))
+
+    def _each(self, clause: Clause) -> list[Formula]:
+        """What a clause speaks of, one by one: several places are not reached at one instant."""
+        lasting = all(o.reference.shape is Shape.STATE for o in clause.operands)
+        either = any(operand.link is Kind.OR for operand in clause.operands)
+        if lasting or either or clause.act is Act.AVOID or Kind.NOW in clause.flags:
+            return [self._situation(clause)]
+        return self._all(clause)
+
+
+def _options(said: Sequence[Statement]) -> list[list[list[Statement]]]:
+    """Group statements by "or" between main clauses; "then" binds tighter than "or"."""
+    groups: list[list[list[Statement]]] = []
+    for statement in said:
+        main = statement.main
+        if groups and main.link in (Kind.THEN, Kind.ONLY_THEN):
+            groups[-1][-1].append(statement)
+        elif groups and main.link is Kind.OR:
+            before = groups[-1][-1][-1].main
+            if before.act is Act.AVOID and main.modality is None:
+                # "do not do this or do that": neither
+                groups.append([[replace(statement, main=replace(main, act=Act.AVOID))]])
+            else:
+                groups[-1].append([statement])
+        else:
+            groups.append([[statement]])
+    return groups
+
+
+def _with_operands(clause: Clause, operands: tuple[Operand, ...]) -> Clause:
+    return replace(clause, operands=operands)

@@ -1,0 +1,287 @@
+"""Referring expressions: where an utterance speaks of a symbol, and how."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, replace
+from enum import StrEnum, auto
+
+from plainspoken.language.grounding import ARTICLES, Expression, Shape, Vocabulary
+from plainspoken.language.lexicon import PHRASES, Kind, is_general
+from plainspoken.language.word import Word
+from plainspoken.world.symbol import SymbolId
+
+LEAST_SHARE = 0.5
+"""An expression of which less than this is said is not meant."""
+LEAST_SCORE = 0.6
+"""Below this, what is said is too little of an expression to stand for it."""
+CLOSE = 0.12
+"""Two readings nearer to each other than this are both put to the person."""
+
+_NEGATIONS = frozenset(("not", "no", "never", "neither", "nor"))
+_WITHIN_WORDS = """
+    is are am be was were been being gets get got getting becomes become becoming
+    turns turn turned goes has have had having longer ever already yet finally fully
+    completely totally still now also must should can could may might will would
+    shall needs need to of in on at into from with up down out off its his their any
+    some your 's currently inside itself going right just again entirely onto over
+    by for that this these those number no actually immediately promptly really
+    always only later then eventually quickly it
+"""
+_WITHIN = ARTICLES | _NEGATIONS | frozenset(_WITHIN_WORDS.split())
+_LASTING = frozenset(("stay", "stays", "remain", "remains", "kept"))
+_NUMBERING = frozenset(("number", "no", "nr", "#"))
+
+
+class Form(StrEnum):
+    """How a symbol is spoken of."""
+
+    NOUN = auto()  # "site 1"
+    BASE = auto()  # "use a tool", "clear site 2"
+    GERUND = auto()  # "using a tool"
+    FINITE = auto()  # "the tank is full", "a tool has been used"
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A place in an utterance that speaks of a symbol.
+
+    first, last: its first word and the one after its last
+    score:       1 for the landmark's own words
+    negated:     "the tank is not full", "the tank is empty"
+    lasting:     a "stay" within: "the tank must stay full"
+    obliged:     a "must" within: "site 2 must be cleared"
+    rivals:      other symbols that it may mean just as well
+    """
+
+    symbol: SymbolId
+    first: int
+    last: int
+    score: float
+    form: Form
+    shape: Shape
+    negated: bool = False
+    never: bool = False
+    obliged: bool = False
+    lasting: bool = False
+    parts: int = 1
+    rivals: tuple[SymbolId, ...] = ()
+
+
+def references(said: Sequence[Word], vocabulary: Vocabulary) -> tuple[Reference, ...]:
+    """The referring expressions of an utterance, left to right, none overlapping another."""
+    whole = _chosen(_candidates(said, vocabulary, 1.0), said)
+    covered = {index for each in whole for index in range(each.first, each.last)}
+    rest = [
+        each
+        for each in _candidates(said, vocabulary, LEAST_SHARE, covered)
+        if each.score >= LEAST_SCORE or each.shape is not Shape.STATE
+    ]
+    return tuple(sorted((*whole, *_chosen(rest, said)), key=lambda each: each.first))
+
+
+def _candidates(
+    said: Sequence[Word],
+    vocabulary: Vocabulary,
+    share: float,
+    covered: AbstractSet[int] = frozenset(),
+) -> Iterator[Reference]:
+    for start in range(len(said)):
+        if start in covered or (share < 1 and is_general(said[start])):
+            continue
+        tried: set[int] = set()
+        for stem in said[start].stems:
+            for expression in vocabulary.by_stem.get(stem, ()):
+                if id(expression) not in tried:
+                    tried.add(id(expression))
+                    found = _matched(expression, start, said, share=share, covered=covered)
+                    if found is not None:
+                        yield found
+
+
+def _matched(
+    expression: Expression,
+    start: int,
+    said: Sequence[Word],
+    *,
+    share: float,
+    covered: AbstractSet[int],
+) -> Reference | None:
+    """Read an expression from a word on; None where less than `share` of its parts is there."""
+    place = expression.shape is Shape.PLACE
+    at: dict[int, int] = {}
+    quality = 0.0
+    for index in range(start, min(len(said), start + 3 * len(expression.parts) + 8)):
+        word = said[index]
+        if index in covered:
+            break
+        part, fit = _best_part(
+            expression, at, word.stems, in_order=place and (share == 1 or bool(at))
+        )
+        if part is not None:
+            at[part] = index
+            quality += fit
+            if len(at) == len(expression.parts):
+                break
+        elif not _passes(word, expression.shape):
+            break
+    if not at or min(at.values()) != start or len(at) < share * len(expression.parts):
+        return None
+    if not _is_well_formed(expression, at, said):
+        return None
+    return _reference(expression, at, said, quality)
+
+
+def _best_part(
+    expression: Expression, at: dict[int, int], found: frozenset[str], *, in_order: bool
+) -> tuple[int | None, float]:
+    """The part that a word fits best; in order, only the one after the last that was found."""
+    if in_order:
+        part = max(at) + 1 if at else 0
+        if part >= len(expression.parts):
+            return None, 0.0
+        quality = expression.parts[part].quality(found)
+        return (part, quality) if quality else (None, 0.0)
+    best, fit = None, 0.0
+    for part, each in enumerate(expression.parts):
+        quality = each.quality(found) if part not in at else 0.0
+        if quality > fit:
+            best, fit = part, quality
+    return best, fit
+
+
+def _passes(word: Word, shape: Shape) -> bool:
+    """Whether a word may stand between the parts of an expression."""
+    if shape is Shape.PLACE:
+        return (
+            word.text in ARTICLES or word.text in _NUMBERING or (word.is_mark and word.text != ";")
+        )
+    if shape is Shape.STATE and word.text in _LASTING:
+        return True
+    if shape is Shape.STATE and word.text == "from":
+        return False  # "keep the one from being the other" denies it
+    return word.text in _WITHIN
+
+
+def _is_well_formed(
+    expression: Expression,
+    at: dict[int, int],
+    said: Sequence[Word],
+) -> bool:
+    parts = len(expression.parts)
+    if expression.shape is Shape.PLACE:
+        return 0 in at or not all(said[index].number.isdigit() for index in at.values())
+    if expression.shape is Shape.ACT:
+        if 0 not in at:
+            return False
+        behind = [part for part in at if part and at[part] < at[0]]
+        return not behind or _is_participle(said[at[0]])
+    if not expression.subject:
+        return len(at) == parts
+    subject = [at[part] for part in range(expression.subject) if part in at]
+    predicate = [at[part] for part in range(expression.subject, parts) if part in at]
+    if not subject or not predicate or subject != sorted(subject):
+        return False
+    if max(subject) < min(predicate):
+        return True
+    # The predicate first: "clear site 2", "a full tank", "is site 2 cleared".
+    return max(predicate) < min(subject)
+
+
+def _is_participle(word: Word) -> bool:
+    return not word.text.endswith("ing") and word.stems != {word.text}
+
+
+def _reference(
+    expression: Expression, at: dict[int, int], said: Sequence[Word], quality: float
+) -> Reference:
+    first, last = min(at.values()), max(at.values()) + 1
+    between = [said[i].text for i in range(first, last) if i not in at.values()]
+    never = "never" in between
+    negations = sum(1 for text in between if text in _NEGATIONS and text != "never")
+    return Reference(
+        symbol=expression.symbol,
+        first=first,
+        last=last,
+        score=round(expression.weight * quality / len(expression.parts), 3),
+        form=_form(expression, at, said),
+        shape=expression.shape,
+        negated=expression.negated != (negations % 2 == 1),
+        never=never,
+        obliged=any(text in ("must", "should", "shall", "needs", "to") for text in between),
+        lasting=any(text in _LASTING for text in between),
+        parts=len(at),
+    )
+
+
+def _form(expression: Expression, at: dict[int, int], said: Sequence[Word]) -> Form:
+    if expression.shape is Shape.PLACE:
+        return Form.NOUN
+    subject = [at[part] for part in range(expression.subject) if part in at]
+    if expression.shape is Shape.STATE and (not subject or min(subject) <= min(at.values())):
+        return Form.FINITE
+    verb = said[at[0] if expression.shape is Shape.ACT else min(at.values())]
+    if verb.text.endswith("ing") and len(verb.stems) > 1:
+        return Form.GERUND
+    if expression.shape is Shape.ACT and at[0] != min(at.values()):
+        return Form.FINITE
+    if expression.shape is Shape.ACT:
+        return Form.FINITE if verb.stems != {verb.text} else Form.BASE
+    # "clear site 2" asks for what "site 2 is cleared" says; "a full tank" only says it.
+    part = next(p for p, index in at.items() if index == min(at.values()))
+    inflected = expression.parts[part].stems != {verb.text}
+    return Form.BASE if inflected and verb.stems == {verb.text} else Form.FINITE
+
+
+def _chosen(
+    candidates: Iterator[Reference] | list[Reference], said: Sequence[Word]
+) -> list[Reference]:
+    """The best candidates that do not overlap; equals on one span become rivals."""
+    ranked = sorted(
+        candidates,
+        key=lambda each: (
+            -each.parts * each.score, _strain(each), -each.score, each.last - each.first,
+            each.first, each.symbol,
+        ),
+    )  # fmt: skip
+    kept: list[Reference] = []
+    for each in ranked:
+        clash = [
+            i for i, other in enumerate(kept) if each.first < other.last and other.first < each.last
+        ]
+        if not clash:
+            if not _is_motion(each, said):
+                kept.append(each)
+        elif len(clash) == 1:
+            other = kept[clash[0]]
+            close = (
+                other.parts == each.parts
+                and other.score - each.score < CLOSE
+                and each.symbol not in (other.symbol, *other.rivals)
+                and (other.score < 1.0 or each.score == other.score)
+                and _strain(other) == _strain(each)
+                and (other.first, other.last) == (each.first, each.last)
+            )
+            if close:
+                kept[clash[0]] = replace(other, rivals=(*other.rivals, each.symbol))
+    return kept
+
+
+def _strain(each: Reference) -> bool:
+    """Whether words that fit an act and a state are better read as the other of the two."""
+    asked = each.form in (Form.BASE, Form.GERUND)
+    return (each.shape is Shape.STATE and asked) or (each.shape is Shape.ACT and not asked)
+
+
+def _is_motion(each: Reference, said: Sequence[Word]) -> bool:
+    """Whether a one-word act such as "move" is only the verb of "move to site 1"."""
+    if each.shape is not Shape.ACT or each.parts > 1 or each.last - each.first > 1:
+        return False
+    moves = any(
+        pattern == ("~" + stem,) and kind is Kind.GO
+        for stem in said[each.first].stems
+        for pattern, kind in PHRASES.get(stem, PHRASES.get("~" + stem, []))
+    )
+    follows = said[each.last].text if each.last < len(said) else ""
+    return moves and follows in ("to", "into", "towards", "toward", "through", "in", "on", "onto")
