@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from tests.strategies import PROPOSITIONS, formulas, traces
 
-from plainspoken.automata import construction
+from plainspoken.automata import construction, unfolding
 from plainspoken.automata.construction import Automaton, automata_for
 from plainspoken.errors import FormulaTooLargeError
 from plainspoken.logic.formula import Always, Atom, Eventually, Formula, conjunction
@@ -216,7 +216,7 @@ def test_an_automaton_too_large_to_explore_is_stepped_all_the_same() -> None:
 def test_a_state_with_too_many_guards_names_the_part_of_the_formula(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(construction, "MOST_GUARDS_OF_A_STATE", 100)
+    monkeypatch.setattr(unfolding, "MOST_CUBES", 100)
     formula = Eventually(conjunction(*(Always(Eventually(Atom(f"a{i}"))) for i in range(8))))
     with pytest.raises(FormulaTooLargeError) as caught:
         Automaton(formula).guards(0)

@@ -14,6 +14,7 @@ from plainspoken.world.domain import (
     Problem,
     Together,
     When,
+    changed_atoms,
     ground,
 )
 
@@ -80,6 +81,12 @@ def test_a_predicate_changes_if_any_outcome_anywhere_adds_or_deletes_it() -> Non
     actions = (Action("one", (), of("needed"), effect), Action("two", (), AllOf(), Add(of("e"))))
     problem = Problem("p", Domain("d", {}, {}, {}, actions), {}, frozenset(), AllOf())
     assert problem.changing_predicates == set("abcde")
+    assert [(atom.predicate, added) for atom, added in changed_atoms(effect)] == [
+        ("a", True),
+        ("b", False),
+        ("c", True),
+        ("d", False),
+    ]
 
 
 def test_the_schemas_of_a_name_are_found_together() -> None:
