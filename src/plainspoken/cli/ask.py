@@ -11,7 +11,7 @@ from typing import Any
 import click
 
 from plainspoken.cli.batch import batch_options, run_batch
-from plainspoken.cli.missions import entries_of
+from plainspoken.cli.record import entries_of
 from plainspoken.cli.site import FILE
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl

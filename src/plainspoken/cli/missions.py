@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 
 from plainspoken.cli.exit import NO
-from plainspoken.cli.record import fresh_file, recorder, utc_now
+from plainspoken.cli.record import entries_of, fresh_file, recorder, utc_now
 from plainspoken.cli.run import ended, shown
 from plainspoken.cli.site import FILE
 from plainspoken.errors import PlainspokenError
@@ -115,24 +115,6 @@ def log(id: str, store: str | None, out: Path, *, overwrite: bool) -> None:
             click.echo(f"plainspoken: step {broken.step}: {broken.what}", err=True)
             raise SystemExit(NO)
         write_jsonl(kept.links(id), out)
-
-
-def entries_of(mission: str | None, store: str | None) -> Sequence[Entry]:
-    """The log of a mission in the store, of the last one where none is named.
-
-    raises PlainspokenError: when the store has no such mission
-    """
-    path = store_path(store)
-    with SqliteLog(path) as kept:
-        known = kept.missions()
-        id = mission if mission is not None else (known[-1] if known else None)
-        if id not in known or id is None:
-            raise PlainspokenError(
-                "there are no missions yet" if mission is None else f"no mission {mission!r}",
-                where=str(path),
-                hint="`plainspoken missions` lists them; `plainspoken run` starts one",
-            )
-        return kept.entries(id)
 
 
 def _accepted(entries: Sequence[Entry]) -> MissionAccepted:

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
-from plainspoken.errors import InputFileError
+from plainspoken.errors import InputFileError, PlainspokenError
 from plainspoken.knowledge.jsonl import JsonlWriter
-from plainspoken.knowledge.log import EventLog
+from plainspoken.knowledge.log import EventLog, SqliteLog, store_path
 from plainspoken.mission.mission import MissionId
 from plainspoken.mission.run import Record
 from plainspoken.world.event import Entry, Event, Instant
@@ -54,3 +54,21 @@ def fresh_file(path: Path, *, overwrite: bool) -> None:
                 hint="give another name, or --overwrite to replace it",
             )
         path.unlink()
+
+
+def entries_of(mission: str | None, store: str | None) -> Sequence[Entry]:
+    """The log of a mission in the store, of the last one where none is named.
+
+    raises PlainspokenError: when the store has no such mission
+    """
+    path = store_path(store)
+    with SqliteLog(path) as kept:
+        known = kept.missions()
+        id = mission if mission is not None else (known[-1] if known else None)
+        if id not in known or id is None:
+            raise PlainspokenError(
+                "there are no missions yet" if mission is None else f"no mission {mission!r}",
+                where=str(path),
+                hint="`plainspoken missions` lists them; `plainspoken run` starts one",
+            )
+        return kept.entries(id)

@@ -15,16 +15,10 @@ from typing import TYPE_CHECKING
 
 from plainspoken.world.domain import (
     Action,
-    Add,
     AllOf,
     AtomCondition,
     Condition,
-    Delete,
-    Effect,
-    ForEach,
-    OneOf,
-    Together,
-    When,
+    changed_atoms,
 )
 
 if TYPE_CHECKING:
@@ -126,8 +120,8 @@ class _Writer:
         self._me = self._actor()
         self._shape = _Shape(
             tuple(_needed(schema.precondition)),
-            tuple(atom for atom, added in _changed(schema.effect) if added),
-            tuple(atom for atom, added in _changed(schema.effect) if not added),
+            tuple(atom for atom, added in changed_atoms(schema.effect) if added),
+            tuple(atom for atom, added in changed_atoms(schema.effect) if not added),
         )
         self._context = {
             atom.terms[1]
@@ -259,17 +253,3 @@ def _needed(condition: Condition) -> Iterator[AtomCondition]:
                 yield from _needed(part)
         case _:
             return
-
-
-def _changed(effect: Effect) -> Iterator[tuple[AtomCondition, bool]]:
-    """The atoms that an effect may add (True) or delete (False)."""
-    match effect:
-        case Add(atom):
-            yield atom, True
-        case Delete(atom):
-            yield atom, False
-        case Together(parts) | OneOf(parts):
-            for part in parts:
-                yield from _changed(part)
-        case When(_, part) | ForEach(_, part):
-            yield from _changed(part)
