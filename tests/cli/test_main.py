@@ -30,7 +30,7 @@ def test_help_lists_every_command_with_an_example_and_is_quick(tmp_path: Path) -
     started = time.perf_counter()
     done = run("--help", cwd=tmp_path)
     assert done.returncode == 0
-    for command in ("demo", "extract", "plan", "check", "export", "run", "ask", "doctor"):
+    for command in ("demo", "extract", "plan", "check", "export", "run", "ask", "eval", "doctor"):
         assert command in done.stdout
     assert time.perf_counter() - started < 2, "a loaded machine may take its time, not this much"
     loaded = subprocess.run(
@@ -45,7 +45,7 @@ def test_help_lists_every_command_with_an_example_and_is_quick(tmp_path: Path) -
 
 @pytest.mark.parametrize(
     "command",
-    ["demo", "extract", "plan", "check", "export", "run", "ask", "missions", "doctor"],
+    ["demo", "extract", "plan", "check", "export", "run", "ask", "missions", "eval", "doctor"],
 )
 def test_every_command_has_help(command: str, tmp_path: Path) -> None:
     done = run(command, "--help", cwd=tmp_path)

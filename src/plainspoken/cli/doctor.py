@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
 import platform
 import shutil
+from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import click
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from plainspoken.cli.site import chosen_site, site_options
@@ -43,6 +46,7 @@ def doctor(
     ]
     for name, (use, remedy) in PROGRAMS.items():
         findings.append((name, shutil.which(name) or "", use, remedy))
+    findings += model_findings(os.environ)
     store = store_path(None)
     findings.append(("store", str(store), "logs of missions", ""))
     if as_json:
@@ -51,8 +55,41 @@ def doctor(
         return
     table = Table("what", "found", "for", "if missing", title="plainspoken doctor")
     for name, found, use, remedy in findings:
-        table.add_row(name, found or "[yellow]missing[/]", use, "" if found else remedy)
+        table.add_row(name, found or "[yellow]missing[/]", use, "" if found else escape(remedy))
     Console().print(table)
+
+
+def model_findings(environment: Mapping[str, str]) -> list[tuple[str, str, str, str]]:
+    """Which language models can be asked, and what is missing for the others.
+
+    A provider is not called; a server of one's own is only knocked at. Of a key it is told where
+    it stands, never what it is.
+    """
+    from plainspoken.backends import local_llm, pydantic_ai
+    from plainspoken.cli.translator import MODEL_VARIABLE
+
+    second = "a second opinion on sentences"
+    weights = local_llm.packaged_weights()
+    findings = [
+        ("pydantic-ai", _version("pydantic-ai-slim"), second, pydantic_ai.GET_IT),
+        ("xllamacpp", _version("xllamacpp"), "--model local", local_llm.GET_SERVER),
+        ("weights", weights.name if weights else "", "--model local", local_llm.GET_WEIGHTS),
+    ]
+    for provider, keys in pydantic_ai.KEYS.items():
+        if provider != "openai-chat":
+            held = next((key for key in keys if environment.get(key)), "")
+            remedy = f"set {' or '.join(keys)}"
+            findings.append((provider, held, f"--model {provider}:NAME", remedy))
+    ollama = environment.get("OLLAMA_BASE_URL") or pydantic_ai.OLLAMA
+    servers = {"ollama": (ollama, "start it: ollama serve")}
+    if environment.get("OPENAI_BASE_URL"):
+        servers["openai server"] = (environment["OPENAI_BASE_URL"], "start it")
+    for name, (url, remedy) in servers.items():
+        found = url if pydantic_ai.answers(url) else ""
+        findings.append((name, found, "--model " + name.split()[0] + ":NAME", remedy))
+    chosen = environment.get(MODEL_VARIABLE, "")
+    findings.append((MODEL_VARIABLE, chosen, "which model is asked", "or give --model"))
+    return findings
 
 
 def _version(package: str) -> str:

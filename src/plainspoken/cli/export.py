@@ -9,6 +9,7 @@ import click
 from plainspoken.automata.construction import automata_for
 from plainspoken.automata.hoa import hoa as automaton_text
 from plainspoken.cli.exit import write_whole
+from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.logic.syntax import parse
 from plainspoken.pipeline import Site
@@ -19,12 +20,13 @@ from plainspoken.questions.lexicon import Lexicon
 
 @click.group()
 def export() -> None:
-    """Write a policy or an automaton for other tools.
+    """Write a policy, an automaton or a compiled problem for other tools.
 
     \b
     plainspoken plan --say "Clear line 2" --out policy.json
     plainspoken export dot policy.json | dot -Tsvg > policy.svg
     plainspoken export hoa "G(full_b -> F call_support_executed)"
+    plainspoken export pddl --say "Clear line 2" --out-domain d.pddl --out-problem p.pddl
     """
 
 
@@ -92,3 +94,36 @@ def _labels(site: Site) -> tuple[diagram.Words, diagram.Words]:
 def hoa(formula: str, out: Path | None) -> None:
     """The automata of FORMULA, one for each conjunct, in the Hanoi format."""
     _written("".join(map(automaton_text, automata_for(parse(formula)))), out)
+
+
+@export.command()
+@site_options
+@goal_options
+@click.option("--out-domain", type=FILE, metavar="FILE", help="Where to write the domain.")
+@click.option("--out-problem", type=FILE, metavar="FILE", help="Where to write the problem.")
+def pddl(
+    *,
+    domain: Path | None,
+    problem: Path | None,
+    landmarks: Path | None,
+    goal: str | None,
+    say: str | None,
+    out_domain: Path | None,
+    out_problem: Path | None,
+) -> None:
+    """A ground domain and problem whose plain :goal means the formula, for any FOND planner.
+
+    Without --out-domain and --out-problem both are printed; with one of them, the other is
+    written beside it as domain-compiled.pddl or problem-compiled.pddl.
+    """
+    from plainspoken.planning.compilation import compiled
+
+    site = chosen_site(domain, problem, landmarks)
+    formula, _ = chosen_goal(goal, say, site)
+    made = compiled(site.problem, formula)
+    given = out_domain or out_problem
+    if given is None:
+        click.echo(made.domain + made.problem, nl=False)
+        return
+    write_whole(out_domain or given.with_name("domain-compiled.pddl"), made.domain)
+    write_whole(out_problem or given.with_name("problem-compiled.pddl"), made.problem)

@@ -16,8 +16,8 @@ from plainspoken.cli.batch import batch_options, run_batch
 from plainspoken.cli.exit import NO
 from plainspoken.cli.goal import no_formula
 from plainspoken.cli.site import chosen_site, site_options
+from plainspoken.cli.translator import chosen_translator, translator_options
 from plainspoken.language.extraction import Extraction, Status
-from plainspoken.language.extraction import extract as translate
 from plainspoken.language.grounding import Vocabulary
 from plainspoken.logic.syntax import unparse
 from plainspoken.world.landmark import read_landmarks
@@ -27,6 +27,7 @@ from plainspoken.world.landmark import read_landmarks
 @click.argument("sentence", required=False)
 @site_options
 @batch_options("utterance")
+@translator_options
 @click.option("--explain", is_flag=True, help="Show every stage.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def extract(
@@ -48,16 +49,21 @@ def extract(
     \b
     plainspoken extract "Never enter line 3 while the box is full" --explain
     plainspoken extract --landmarks L.json --batch sentences.jsonl --out formulas.jsonl
+    plainspoken extract "Line 2, then line 1" --mode both --model ollama:qwen3
     """
     vocabulary = _vocabulary(domain, problem, landmarks)
     if batch is not None:
-        run_batch(batch, out, "utterance", lambda text, _: translate(text, vocabulary).to_json())
+        with chosen_translator() as translate:
+            run_batch(
+                batch, out, "utterance", lambda text, _: translate(text, vocabulary).to_json()
+            )
         return
     if sentence is None:
         if sys.stdin.isatty():
             raise click.UsageError("say a SENTENCE, in quotes, or give --batch")
         sentence = sys.stdin.read().strip()
-    extraction = translate(sentence, vocabulary)
+    with chosen_translator() as translate:
+        extraction = translate(sentence, vocabulary)
     if as_json:
         click.echo(json.dumps(extraction.to_json(), indent=2, ensure_ascii=False))
     elif explain:

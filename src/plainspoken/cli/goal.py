@@ -9,17 +9,19 @@ from typing import Any, TypeVar
 import click
 
 from plainspoken.cli.exit import NO
+from plainspoken.cli.translator import chosen_translator, translator_options
 from plainspoken.language.extraction import Extraction, Status
 from plainspoken.logic.formula import Formula
 from plainspoken.logic.syntax import parse
-from plainspoken.pipeline import Site, understand
+from plainspoken.pipeline import Site
 from plainspoken.planning.goal import denotations, problem_goal
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 def goal_options(command: F) -> F:
-    """Add --goal and --say to a command."""
+    """Add --goal and --say, and who translates what is said, to a command."""
+    command = translator_options(command)
     command = click.option("--say", "-s", metavar="SENTENCE", help="The goal in plain words.")(
         command
     )
@@ -42,7 +44,8 @@ def chosen_goal(goal: str | None, say: str | None, site: Site) -> tuple[Formula,
         formula = problem_goal(site.problem) if goal is None else parse(goal)
         denotations(formula, site.problem)
         return formula, None
-    extraction = understand(say, site)
+    with chosen_translator() as translate:
+        extraction = translate(say, site.vocabulary)
     if extraction.formula is None:
         click.echo(f"plainspoken: {no_formula(extraction)}", err=True)
         sys.exit(NO)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -16,6 +17,7 @@ from rich.console import Console
 from plainspoken.cli.exit import NO, write_whole
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.site import FILE, chosen_site, site_options
+from plainspoken.logic.formula import Formula
 from plainspoken.logic.syntax import unparse
 from plainspoken.pipeline import Site, find_policy, why_not
 from plainspoken.planning.policy import Policy
@@ -33,6 +35,8 @@ MOST_SHOWN = 40
 @goal_options
 @click.option("--strong", is_flag=True, help="Only a policy without loops will do.")
 @click.option("--timeout", type=click.FloatRange(min=0), metavar="S", help="Seconds, at most.")
+@click.option("--engine", type=click.Choice(["own", "prp"]), default="own", help="Who searches.")
+@click.option("--prp", type=FILE, metavar="PATH", help="The program prp, for --engine prp.")
 @click.option("--out", type=FILE, metavar="FILE", help="Write the policy, or the no, as JSON.")
 @click.option("--json", "as_json", is_flag=True, help="Print that JSON.")
 def plan(
@@ -43,6 +47,8 @@ def plan(
     goal: str | None,
     say: str | None,
     timeout: float | None,
+    engine: str,
+    prp: Path | None,
     out: Path | None,
     strong: bool,
     as_json: bool,
@@ -63,11 +69,14 @@ def plan(
     formula, extraction = chosen_goal(goal, say, site)
     if extraction is not None and not as_json:
         click.echo(f"goal: {unparse(formula)}", err=True)
-    with progress_shown() as on_progress:
-        ending = find_policy(
-            site.problem, formula, strong=strong, timeout=timeout, on_progress=on_progress
-        )
-    document = {**document_of(ending), "goal": unparse(formula)}
+    if engine == "prp":
+        ending = _found_by_prp(prp, site, formula, strong=strong, timeout=timeout)
+    else:
+        with progress_shown() as on_progress:
+            ending = find_policy(
+                site.problem, formula, strong=strong, timeout=timeout, on_progress=on_progress
+            )
+    document = {**document_of(ending, site), "goal": unparse(formula)}
     seconds = document["seconds"]
     document["seconds"] = {"parse": parsed, **seconds, "total": time.perf_counter() - started}
     text = json.dumps(document, ensure_ascii=False)
@@ -81,7 +90,7 @@ def plan(
         sys.exit(NO)
 
 
-def document_of(ending: Ending) -> dict[str, Any]:
+def document_of(ending: Ending, site: Site) -> dict[str, Any]:
     """What `plan --out` writes, whatever the ending."""
     if isinstance(ending, Solved):
         return ending.policy.to_json()
@@ -92,8 +101,23 @@ def document_of(ending: Ending) -> dict[str, Any]:
         "static": [],
         "nodes": [],
         "seconds": {},
-        "reason": why_not(ending),
+        "reason": why_not(ending, site),
+        "reason_detail": ending.reason.detail() if isinstance(ending, Unsolvable) else None,
     }
+
+
+def _found_by_prp(
+    prp: Path | None, site: Site, formula: Formula, *, strong: bool, timeout: float | None
+) -> Ending:
+    """What an external PRP finds for the compiled problem, validated as our own policies are."""
+    from plainspoken.backends.prp import solve_with_prp
+
+    if strong:
+        raise click.UsageError("PRP finds strong-cyclic policies only: leave out --strong")
+    path = prp or shutil.which("prp")
+    if path is None:
+        raise click.UsageError("--engine prp needs --prp PATH: there is no prp on the PATH")
+    return solve_with_prp(site.problem, formula, Path(path), timeout=timeout)
 
 
 @contextmanager

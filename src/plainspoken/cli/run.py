@@ -94,7 +94,7 @@ def run(
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
-        click.echo(f"plainspoken: {why_not(ending)}", err=True)
+        click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
     simulated = {"robot": "simulator", "seed": seed, "steering": [str(wish) for wish in wishes]}
     request = Request(new_mission_id(utc_now), formula, say, simulated)

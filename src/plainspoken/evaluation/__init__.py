@@ -1,0 +1,1 @@
+"""Experiments: corpora, runs with named outcomes, tables and pictures."""
