@@ -93,15 +93,15 @@ class Setting:
         return parse_problem(self.problem, parse_domain(self.domain, "domain"), "problem")
 
 
-def _example(goal: str) -> Setting:
-    folder = EXAMPLES / "vineyard"
+def _example(name: str, goal: str) -> Setting:
+    folder = EXAMPLES / name
     texts = [(folder / f"{each}.pddl").read_text() for each in ("domain", "problem")]
-    return Setting("vineyard", *texts, goal, (folder / "landmarks.json").read_text())
+    return Setting(name, *texts, goal, (folder / "landmarks.json").read_text())
 
 
-VINEYARD = _example("F cleared_l0 & F cleared_l1 & F cleared_l2 & F cleared_l3")
-AVOIDING = _example("F cleared_l0 & F cleared_l1 & G !robot_at_rob_l3")
-TWO_LINES = _example("F cleared_l0 & F cleared_l1")
+VINEYARD = _example("vineyard", "F cleared_l0 & F cleared_l1 & F cleared_l2 & F cleared_l3")
+AVOIDING = _example("vineyard", "F cleared_l0 & F cleared_l1 & G !robot_at_rob_l3")
+TWO_LINES = _example("vineyard", "F cleared_l0 & F cleared_l1")
 SETTINGS = {
     "vineyard": VINEYARD,
     "avoiding": AVOIDING,
@@ -117,9 +117,26 @@ SETTINGS = {
 }
 
 
+REACTING = _example(
+    "vineyard",
+    "F cleared_l2 & G(full_b -> !robot_at_rob_l3) & (full_b -> X call_support_executed)"
+    " & G(!full_b & X full_b -> X X call_support_executed)",
+)
+FURTHER = {
+    "reacting": REACTING,
+    "depot": _example(
+        "warehouse",
+        "F delivered_crate & F delivered_drum & G(battery_low_cart -> F !battery_low_cart)"
+        " & (!robot_at_cart_plug W delivered_crate)",
+    ),
+    "soup": _example("kitchen", "F served_soup & F !open_fridge"),
+}
+"""Settings that only some tests ask about."""
+
+
 @cache
 def policy_of(name: str) -> Policy:
-    setting = SETTINGS[name]
+    setting = {**SETTINGS, **FURTHER}[name]
     ending = solve(setting.parsed, parse(setting.goal))
     assert isinstance(ending, Solved)
     return ending.policy
@@ -231,7 +248,7 @@ def run(name: str, seed: int, most: int = 400) -> tuple[Entry, ...]:
     policy = policy_of(name)
     chance = Random(seed)
     log = Log()
-    log.add(accepted(SETTINGS[name]))
+    log.add(accepted({**SETTINGS, **FURTHER}[name]))
     log.add(PolicyChosen(policy.to_json()))
     node = policy.node(policy.initial)
     while node.action is not None and log.instant < most:

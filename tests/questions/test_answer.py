@@ -59,8 +59,7 @@ FIRST_ACTIONS = (
             "What did you do so far?",
             (
                 "So far I checked grape 0, harvested grape 0, dropped grape 0 in the box and "
-                "signed off line 0. Most recently I moved to line 1. The support robot is still "
-                "at the warehouse."
+                "signed off line 0. Most recently I moved to line 1."
             ),
         ),
         ("What did you do last?", "I moved to line 1."),
@@ -81,21 +80,20 @@ FIRST_ACTIONS = (
         (
             "Why is the box full?",
             (
-                "The box is full: it came of dropping grape 0 in the box two actions ago; it could "
-                "also have turned out otherwise."
+                "The box is full: it came of dropping grape 0 in the box two actions ago; "
+                "whether it does is up to chance."
             ),
         ),
         (
             "Why don't you harvest grape 2?",
             "I can't harvest grape 2 now because I'm not at line 2 and grape 2 isn't ripe.",
         ),
-        ("Was the box ever full?", "Yes, the box was full once so far."),
+        ("Was the box ever full?", "Yes, the box is full, since two actions ago."),
         (
             "What's your goal?",
             (
                 "You want lines 0, 1, 2 and 3 to be cleared. Done: line 0 is cleared. Still open: "
-                "lines 1, 2 and 3 aren't cleared. I can't say how much is left: I'm without a plan "
-                "at the moment."
+                "lines 1, 2 and 3 aren't cleared."
             ),
         ),
     ],

@@ -125,10 +125,10 @@ Are you sticking to the rules? | constraint | |
 Are you still staying away from row 2? | constraint | l2 |
 How often did you call the support robot? | count_history | sup | call-support
 How many times did you check grape 1? | count_history | g1 | check-grape
-Have you ever been at line 3? | count_history | l3 |
+Have you ever been at line 3? | past | l3 |
 How many actions have you done so far? | count_history | |
 How many grapes did you harvest? | count_history | | harvest-grape
-Was the box ever full? | count_history | b | full
+Was the box ever full? | past | b | full
 I cleared line 2 myself. | report | l2 |
 The box is full. | report | b | full
 I have already harvested grape 3. | report | g3 | harvest-grape

@@ -6,15 +6,17 @@ part of the request unbroken. Where no such single obstacle is found, nothing is
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from plainspoken.automata.verdict import Part, Verdict
-from plainspoken.questions.claim import ActionClaim, Claim, Draft
+from plainspoken.questions.claim import ActionClaim, Draft
 from plainspoken.questions.foresight import Foresight
 from plainspoken.questions.moment import Moment
-from plainspoken.questions.morphology import counted, listed
-from plainspoken.questions.narration import ago, facts_together, future_deeds
-from plainspoken.questions.question import Question
+from plainspoken.questions.morphology import listed
+from plainspoken.questions.narration import ago, facts_together
+from plainspoken.questions.question import Question, question_of
+from plainspoken.questions.reason import tell_why
 from plainspoken.questions.wish import wanted, wish_of
 from plainspoken.world.domain import (
     AllOf,
@@ -30,9 +32,9 @@ from plainspoken.world.domain import (
     State,
     ground,
 )
-from plainspoken.world.event import ObservationMade, ReportReceived
 from plainspoken.world.scene import Binding, instances, is_applicable, satisfies, successors
 
+_CONTRAST = re.compile(r" (?:instead of|rather than|and not|but not) .*", re.IGNORECASE)
 MOST_TRIED = 400
 """Ground actions that a question may mean, at most."""
 
@@ -43,8 +45,15 @@ MOST_TRIED = 400
 def tell_why_not(draft: Draft, question: Question) -> bool:
     """Answer why an action is not done now; False where there is no sure answer."""
     moment = draft.moment
-    if moment.ended is not None or not question.referents.actions:
+    if not question.referents.actions:
         return False
+    if _CONTRAST.search(question.text):
+        # What was done rather than something else is best told by what it was for.
+        chosen = question_of(_CONTRAST.sub("", question.text), moment.lexicon)
+        tell_why(draft, chosen)
+        return True
+    if moment.ended is not None:
+        return _tell_not_needed(draft, question)
     meant = list(_meant(moment, question))
     if not meant:
         return False
@@ -60,6 +69,23 @@ def tell_why_not(draft: Draft, question: Question) -> bool:
     if not possible:
         return _tell_obstacle(draft, meant)
     return _tell_broken(draft, possible[0]) or _tell_later(draft, possible)
+
+
+def _tell_not_needed(draft: Draft, question: Question) -> bool:
+    """Why something was not done in a mission that is over."""
+    moment = draft.moment
+    asked = question.referents
+    done = [each for each in moment.happenings if asked.concerns(each.action)]
+    draft.evidence.add(moment.entries[-1].step)
+    if done:
+        draft.did(done[-1])
+        deed = moment.lexicon.deed(done[-1].action)
+        draft.say(f"But {deed.subject} {deed.did}, {ago(moment.now - done[-1].at)}")
+    elif moment.ended is not None and moment.ended.satisfied:
+        draft.say("It wasn't needed: what you asked for is done without it")
+    else:
+        draft.say("The mission was over before that")
+    return True
 
 
 def _meant(moment: Moment, question: Question) -> Iterator[GroundAction]:
@@ -86,7 +112,10 @@ def _tell_obstacle(draft: Draft, meant: list[GroundAction]) -> bool:
             found.append((len(missing), action, missing))
     if not found:
         return False
-    _, action, missing = min(found)
+    known = _ever(moment)
+    # A condition that no plan and no past has met points to another instance of the action.
+    sensible = [each for each in found if all(a in known or not w for a, w in each[2])]
+    _, action, missing = min(sensible or found)
     draft.now(atom for atom, _ in missing)
     lacking = [atom for atom, wanted_true in missing if wanted_true]
     hindering = [atom for atom, wanted_true in missing if not wanted_true]
@@ -98,9 +127,18 @@ def _tell_obstacle(draft: Draft, meant: list[GroundAction]) -> bool:
     broken = _broken_part(moment, then, action)
     if broken is not None:
         draft.evidence.add(moment.entries[0].step)
-        want = wanted(wish_of(broken.formula, moment.lexicon), moment.lexicon)
+        want = wanted(wish_of(moment.demand_of(broken).said, moment.lexicon), moment.lexicon)
         draft.say(f"Besides, you want {want}")
     return True
+
+
+def _ever(moment: Moment) -> frozenset[GroundAtom]:
+    """The facts that have been so, or may come to be so by the plan."""
+    ahead: set[GroundAtom] = set(moment.runs)
+    if moment.node is not None and moment.policy is not None:
+        for id in Foresight(moment.policy, moment.node, moment.now).reachable:
+            ahead |= moment.policy.node(id).state
+    return frozenset(ahead)
 
 
 def _obstacles(moment: Moment, action: GroundAction) -> tuple[tuple[GroundAtom, bool], ...]:
@@ -185,7 +223,7 @@ def _tell_broken(draft: Draft, action: GroundAction) -> bool:
     part = _broken_part(moment, moment.whole(moment.state), action)
     if part is None:
         return False
-    want = wanted(wish_of(part.formula, moment.lexicon), moment.lexicon)
+    want = wanted(wish_of(moment.demand_of(part).said, moment.lexicon), moment.lexicon)
     draft.evidence.add(moment.entries[0].step)
     draft.say(f"I could {moment.lexicon.deed(action).bare}, but you want {want}")
     return True
@@ -214,97 +252,4 @@ def _tell_later(draft: Draft, possible: list[GroundAction]) -> bool:
             f"I could {deed.bare} now, but my plan gets what you asked for done without it; {doing}"
             + ("" if moment.started else " next")
         )
-    return True
-
-
-# -- why so, and what if -----------------------------------------------------------------------
-
-
-def tell_cause(draft: Draft, question: Question) -> bool:
-    """Answer what made a fact as it is; False where no fact is spoken of."""
-    moment = draft.moment
-    if not question.referents.atoms:
-        return False
-    atom = question.referents.atoms[0]
-    clause = moment.lexicon.clause(atom)
-    runs = moment.runs.get(atom)
-    if atom in moment.static:
-        return False
-    if not runs:
-        draft.now([atom])
-        draft.say(f"{clause.said(negative=True)}, and it hasn't been so far")
-        return True
-    start, end = runs[-1]
-    draft.was(atom, start)
-    tense = clause.said() if end == moment.now else clause.said("was")
-    opening = "" if end == moment.now else f" until {ago(moment.now - end)}"
-    if start == 0:
-        draft.say(f"{tense}{opening}: it was so from the start")
-        return True
-    happening = next((each for each in moment.happenings if each.at == start), None)
-    if happening is not None:
-        draft.did(happening)
-        deed = moment.lexicon.deed(happening.action)
-        before = moment.whole(moment.states[start - 1])
-        chance = ""
-        if is_applicable(moment.problem, before, happening.action):
-            outcomes = successors(moment.problem, before, happening.action)
-            if any(atom not in outcome for outcome in outcomes):
-                chance = "; it could also have turned out otherwise"
-        when = ago(moment.now - start)
-        draft.say(f"{tense}{opening}: it came of {deed.doing} {when}{chance}")
-        return True
-    event = next((e.event for e in moment.entries if e.step == moment.steps[start]), None)
-    known = "I was told so" if isinstance(event, ReportReceived) else "I found it so"
-    if not isinstance(event, ReportReceived | ObservationMade):
-        known = "I found it so after an action that failed"
-    draft.say(f"I don't know why {clause.said('was')}; {known} {ago(moment.now - start)}")
-    return True
-
-
-def tell_what_if(draft: Draft, question: Question) -> bool:
-    """Answer what is done where a fact comes about; False where none is spoken of or foreseen."""
-    moment = draft.moment
-    asked = question.referents
-    if not asked.atoms or moment.node is None or moment.policy is None:
-        return False
-    if " not " in f" {question.text.lower()} " or "n't" in question.text:
-        return False  # What if it does not: the branch where it stays away is not one branch.
-    atom = asked.atoms[0]
-    ahead = Foresight(moment.policy, moment.node, moment.now)
-    clause = moment.lexicon.clause(atom)
-    draft.node(moment.node.id)
-    if atom in moment.state:
-        draft.now([atom])
-        if moment.node.action is None:
-            return False
-        deed = moment.lexicon.deed(moment.node.action)
-        certainty = "may" if moment.started else "will"
-        draft.actions.add(
-            ActionClaim(moment.node.action, moment.now + 1, "may" if moment.started else "will")
-        )
-        then = f"I'm {deed.doing}" if certainty == "may" else future_deeds([deed], "next")
-        draft.say(f"It's so already: {clause.said()}, and {then}")
-        return True
-    entered = {id for id in ahead.reachable if atom in ahead.policy.node(id).state}
-    path = ahead.path_to(entered)
-    if path is None:
-        draft.say(f"As things stand, {clause.said('will', negative=True)} in this mission")
-        return True
-    distance = len(path) - 1
-    nearest = [id for id in entered if ahead.reachable[id] == distance]
-    actions = {ahead.policy.node(id).action for id in nearest}
-    draft.claims.add(Claim(atom, moment.now + distance, moment.now + distance, "may"))
-    draft.node(path[-1].id)
-    first = f"That can be in {counted(distance, 'action')} at the earliest"
-    then_words = []
-    for action in sorted(each for each in actions if each is not None):
-        draft.actions.add(ActionClaim(action, moment.now + distance + 1, "may"))
-        then_words.append(future_deeds([moment.lexicon.deed(action)]))
-    if not then_words:
-        draft.say(f"{first}; then I'm done")
-    elif len(then_words) == 1:
-        draft.say(f"{first}; then {then_words[0]}")
-    else:
-        draft.say(f"{first}; then, depending on how things stand, {listed(then_words, 'or')}")
     return True

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import assert_never
 
-from plainspoken.questions.alternative import tell_cause, tell_what_if, tell_why_not
+from plainspoken.questions.alternative import tell_why_not
+from plainspoken.questions.chance import tell_cause, tell_what_if
 from plainspoken.questions.claim import Answer, Draft
 from plainspoken.questions.fact import tell_state, tell_when
 from plainspoken.questions.future import tell_future
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.moment import Moment
-from plainspoken.questions.past import tell_count, tell_past
+from plainspoken.questions.past import tell_count, tell_past, tell_so_far
 from plainspoken.questions.present import tell_now
 from plainspoken.questions.progress import tell_constraint, tell_progress
 from plainspoken.questions.question import Question, question_of
@@ -60,7 +61,8 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
         case Kind.PROGRESS:
             tell_progress(draft, question)
         case Kind.CONSTRAINT:
-            tell_constraint(draft, question)
+            if not tell_constraint(draft, question):
+                tell_so_far(draft, question, hoped=False)
         case Kind.COUNT_HISTORY:
             tell_count(draft, question)
         case Kind.WHEN:
@@ -69,7 +71,7 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
             answered = tell_why_not(draft, question)
         case Kind.WHY_HAPPENED:
             answered = tell_cause(draft, question)
-            if not answered and question.referents.actions:
+            if not answered and (question.referents.actions or question.referents.objects):
                 tell_why(draft, question)
                 answered = True
         case Kind.WHAT_IF:

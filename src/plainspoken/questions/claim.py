@@ -108,6 +108,8 @@ class Draft:
     def now(self, atoms: Iterable[GroundAtom]) -> None:
         """Claim what is true now, since when it is; deny what is not."""
         moment = self.moment
+        atoms = list(atoms)
+        moment.look_back(atoms)
         for atom in atoms:
             since = moment.since(atom)
             if atom in moment.state:

@@ -47,6 +47,11 @@ class Clause:
             text = f"{self.subject}{self._verb(tense, negative=negative)}"
         return f"{text} {self.complement}".strip()
 
+    def never(self) -> str:
+        """`the box has never been full`, `I've never been at line 1`."""
+        have = "'ve" if self.subject == "I" else " have" if self.several else " has"
+        return f"{self.subject}{have} never {participle(self.verb)} {self.complement}".strip()
+
     def asked(self) -> str:
         """The clause without subject, for a list: `full`, `at line 1`."""
         return (

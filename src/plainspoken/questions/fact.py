@@ -7,13 +7,13 @@ from bisect import bisect_left
 from collections.abc import Sequence
 
 from plainspoken.questions.claim import Draft
-from plainspoken.questions.future import tell_when_ahead
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import counted, listed, number_word, plural
 from plainspoken.questions.narration import MOST_NAMED, ago, facts_together, named
 from plainspoken.questions.past import is_motion, tell_whether
+from plainspoken.questions.prospect import tell_when_ahead
 from plainspoken.questions.question import Question
-from plainspoken.questions.referent import normal
+from plainspoken.questions.spelling import normal
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.event import ActionFinished, ObservationMade, ReportReceived
 
@@ -28,7 +28,7 @@ def tell_state(draft: Draft, question: Question, *, full: bool) -> None:
     elif question.yes_no and asked.atoms:
         _tell_whether(draft, _best(asked.atoms)[:MOST_NAMED])
     elif asked.predicates and (
-        asked.kinds or question.form in ("which", "how many", "what", "who")
+        asked.kinds or question.yes_no or question.form in ("which", "how many", "what", "who")
     ):
         _tell_list(draft, question, plain)
     elif asked.atoms:
@@ -176,7 +176,7 @@ def _tell_list(draft: Draft, question: Question, plain: str) -> None:
     asked = question.referents
     found_anything = False
     for predicate in asked.predicates[:1]:
-        negative = re.search(r"\bnot\b|\byet to\b", plain) is not None
+        negative = re.search(r"\bnot\b|\b(?:yet|still|left) to\b", plain) is not None
         # "Not checked" is what "unchecked" says already.
         negative = negative and not (predicate.startswith("un") and predicate not in plain)
         column, candidates = _column(question, predicate, moment)
@@ -199,8 +199,11 @@ def _tell_list(draft: Draft, question: Question, plain: str) -> None:
                 draft.now([atom])
             else:
                 draft.was(atom, moment.runs[atom][-1][0])
-        _say_list(draft, predicate, atoms, kind, question)
+        _say_list(draft, atoms, question)
         if not atoms:
+            _say_none(
+                draft, _sample(question, predicate, column, candidates, moment), kind, question
+            )
             for name in candidates[:50]:
                 parameters = moment.problem.domain.predicates[predicate]
                 if len(parameters) == 1:
@@ -221,11 +224,10 @@ def _column(
             chosen = tuple(name for name in names if name in fitting)
             if chosen and not set(question.referents.objects) & set(chosen):
                 return index, chosen
-    for index, parameter in enumerate(parameters):
-        fitting = moment.problem.objects_for(parameter)
-        if not set(question.referents.objects) & set(fitting) and moment.lexicon.me not in fitting:
-            return index, fitting
-    return None, ()
+    me = moment.lexicon.me
+    columns = [(index, moment.problem.objects_for(each)) for index, each in enumerate(parameters)]
+    free = [each for each in columns if not set(question.referents.objects) & set(each[1])]
+    return next(iter(sorted(free, key=lambda each: me in each[1])), (None, ()))
 
 
 def _matching(
@@ -248,25 +250,65 @@ def _matching(
     )
 
 
-def _say_list(
-    draft: Draft, predicate: str, atoms: Sequence[GroundAtom], kind: str, question: Question
+def _sample(
+    question: Question,
+    predicate: str,
+    column: int,
+    candidates: Sequence[str],
+    moment: Moment,
+) -> tuple[GroundAtom, str] | None:
+    """A fact of the kind that is asked for, and the thing in it that stands for the others."""
+    arguments: list[str] = []
+    for index, parameter in enumerate(moment.problem.domain.predicates[predicate]):
+        fitting = moment.problem.objects_for(parameter)
+        named = [each for each in question.referents.objects if each in fitting]
+        own = [each for each in fitting if each == moment.lexicon.me]
+        pool = list(candidates[:1]) if index == column else named or own or list(fitting[:1])
+        if not pool or (index != column and not named and not own and len(fitting) > 1):
+            return _spoken_sample(predicate, column, candidates, moment)
+        arguments.append(pool[0])
+    return " ".join([predicate, *arguments]), arguments[column]
+
+
+def _spoken_sample(
+    predicate: str, column: int, candidates: Sequence[str], moment: Moment
+) -> tuple[GroundAtom, str] | None:
+    """The same from the landmarks, whose words may leave a further thing unsaid."""
+    for atom, _ in moment.lexicon.atom_phrases():
+        name, *arguments = atom.split()
+        if name == predicate and arguments[column] in candidates:
+            others = [each for each in arguments if each != arguments[column]]
+            text = moment.lexicon.clause(atom).said()
+            if not any(moment.lexicon.object_words(each) in text for each in others):
+                return atom, arguments[column]
+    return None
+
+
+def _say_none(
+    draft: Draft, sample: tuple[GroundAtom, str] | None, kind: str, question: Question
 ) -> None:
+    """`Nothing is in the box`, `no mug is clean`."""
+    lexicon = draft.moment.lexicon
+    what = "nothing" if question.form in ("what", "") and not question.referents.kinds else ""
+    if sample is None:
+        draft.say("No, nothing" if question.yes_no else "Nothing" if what else "None")
+        return
+    atom, name = sample
+    clause = lexicon.clause(atom)
+    words = lexicon.object_words(name)
+    text = clause.said().replace(words, what or f"no {kind}", 1)
+    number = "None: " if question.form == "how many" else ""
+    draft.say(f"{'No, ' if question.yes_no else number}{text}")
+
+
+def _say_list(draft: Draft, atoms: Sequence[GroundAtom], question: Question) -> None:
     moment = draft.moment
     lexicon = moment.lexicon
     current = [atom for atom in atoms if atom in moment.state or atom in moment.static]
     gone = [atom for atom in atoms if atom not in current]
     if not atoms:
-        parameters = moment.problem.domain.predicates[predicate]
-        _, candidates = _column(question, predicate, moment)
-        if len(parameters) == 1 and candidates:
-            sample = lexicon.clause(f"{predicate} {candidates[0]}")
-            draft.say(
-                f"None: no {kind} is {sample.complement}" if sample.verb == "be" else "None so far"
-            )
-        else:
-            draft.say("Nothing, as far as I know" if question.form == "what" else "None")
         return
-    opening = ""
+    opening = "Yes, " if question.yes_no else ""
     if question.form == "how many":
         opening = f"{number_word(len(atoms))}: "
     parts = [s.text for s in facts_together(lexicon, current, most=12)]
@@ -313,7 +355,11 @@ def tell_when(draft: Draft, question: Question) -> None:
     asked = question.referents
     found = [each for each in moment.happenings if asked.actions and asked.concerns(each.action)]
     draft.evidence.add(moment.steps[-1])
-    if found and not re.search(r"\b(?:will|going to)\b", normal(question.text)):
+    ahead = re.search(r"\b(?:will|going to|shall)\b", normal(question.text)) is not None
+    if ahead and (asked.actions or asked.atoms):
+        if not tell_when_ahead(draft, question):
+            draft.say("Not in this mission: it's not in my plan")
+    elif found:
         last = found[-1]
         draft.did(last)
         deed = moment.lexicon.deed(last.action)
@@ -328,7 +374,7 @@ def tell_when(draft: Draft, question: Question) -> None:
         clause = moment.lexicon.clause(atom)
         if runs is None:
             draft.now([atom])
-            draft.say(f"So far {clause.said('was', negative=True)} at any moment")
+            draft.say(clause.never())
         elif atom in moment.state:
             draft.now([atom])
             draft.say(f"{clause.said()}{age(draft, atom)}")

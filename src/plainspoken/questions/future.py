@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 
 from plainspoken.planning.policy import PolicyNode
 from plainspoken.questions.claim import ActionClaim, Claim, Draft
 from plainspoken.questions.foresight import Foresight
-from plainspoken.questions.morphology import counted, listed, times
+from plainspoken.questions.morphology import listed
 from plainspoken.questions.narration import (
     about_it,
     deeds_together,
@@ -19,6 +20,7 @@ from plainspoken.questions.narration import (
     referring,
 )
 from plainspoken.questions.past import is_motion
+from plainspoken.questions.prospect import tell_whether_will
 from plainspoken.questions.question import Question, Span
 from plainspoken.questions.reason import open_atoms
 from plainspoken.world.domain import GroundAction, GroundAtom
@@ -26,6 +28,8 @@ from plainspoken.world.symbol import flat
 
 MOST_STEPS = 3
 """Sure actions that a brief answer tells one by one."""
+ROOM = 28
+"""Words after which a brief answer adds no further sentence."""
 MOST_FURTHER = 3
 """Kinds of further deeds that a brief answer names."""
 
@@ -49,6 +53,11 @@ def foresight_of(draft: Draft) -> Foresight | None:
     return Foresight(moment.policy, moment.node, moment.now)
 
 
+def words_so_far(draft: Draft) -> int:
+    """How long an answer in the making is."""
+    return sum(len(each.split()) for each in draft.sentences)
+
+
 def tell_future(draft: Draft, question: Question, *, full: bool) -> None:
     """Answer what will be done."""
     ahead = foresight_of(draft)
@@ -62,15 +71,19 @@ def tell_future(draft: Draft, question: Question, *, full: bool) -> None:
     if (
         question.span is Span.AFTER
         and (asked.actions or asked.objects)
-        and _tell_after(draft, ahead, question)
+        and tell_after(draft, ahead, question)
     ):
         return
     started = draft.moment.started
     if ahead.node.action is None:
         draft.say("Nothing more: I've done what you asked")
         return
+    _claim_ahead(draft, ahead)
+    if re.search(r"\b(?:last|final|very end|in the end|finally)\b", question.text.lower()):
+        _tell_end(draft, ahead)
+        return
     told = _tell_sure(draft, ahead, 12 if full else MOST_STEPS, started=started is not None)
-    if question.span is not Span.LAST or full:
+    if full or (question.span is not Span.LAST and words_so_far(draft) < ROOM):
         _tell_further(draft, ahead, told, full=full)
     if full:
         _tell_facts(draft, ahead)
@@ -84,7 +97,7 @@ def _tell_sure(draft: Draft, ahead: Foresight, most: int, *, started: bool) -> l
     # A fork is told where it is reached by one way only; else the words would need a fork before.
     last = len(actions) - 1
     forks = last + 1 == len(ahead.sure_actions) and len(ahead.layers[last]) == 1
-    fork = _fork(draft, ahead, ahead.layers[last][0], last) if forks else ""
+    fork = fork_words(draft, ahead, ahead.layers[last][0], last) if forks else ""
     deeds = joined_runs([lexicon.deed(action) for action in actions])
     if not started:
         draft.say("; ".join(filter(None, (future_deeds(referring(deeds), "Next"), fork))))
@@ -120,18 +133,28 @@ def claim_sure(draft: Draft, ahead: Foresight, told: Collection[GroundAction]) -
                         draft.claims.add(Claim(atom, *run, "will"))
 
 
-def _fork(draft: Draft, ahead: Foresight, node: PolicyNode, distance: int) -> str:
-    """What the outcomes of a node's action lead to: `if mug 2 is clean, I'll pick it; ...`."""
+def fork_words(
+    draft: Draft,
+    ahead: Foresight,
+    node: PolicyNode,
+    distance: int,
+    without: GroundAtom | None = None,
+) -> str:
+    """What the outcomes of a node's action lead to: `if mug 2 is clean, I'll pick it; ...`.
+
+    without: tell only the outcomes in which this atom is not so
+    """
     if len(node.successors) < 2:
         return ""
     lexicon = draft.moment.lexicon
-    outcomes = [ahead.policy.node(id) for id in node.successors]
+    everything = [ahead.policy.node(id) for id in node.successors]
+    outcomes = [each for each in everything if without is None or without not in each.state]
     draft.node(node.id)
     parts: dict[str, list[str]] = {}
     acted = lexicon.deed(str(node.action))
     at = ahead.now + distance + 1
     for outcome in outcomes:
-        others = frozenset().union(*(o.state for o in outcomes if o is not outcome))
+        others = frozenset().union(*(o.state for o in everything if o is not outcome))
         marks = sorted(outcome.state - others)
         again = outcome.action == node.action and outcome.state == node.state
         if again:
@@ -148,7 +171,7 @@ def _fork(draft: Draft, ahead: Foresight, node: PolicyNode, distance: int) -> st
         if again:
             said = []
         elif not said:
-            kept = frozenset.intersection(*(o.state for o in outcomes if o is not outcome))
+            kept = frozenset.intersection(*(o.state for o in everything if o is not outcome))
             lost = sorted((kept & node.state) - outcome.state)
             said = [
                 f"{about_it(each.text, acted)} any more"
@@ -156,7 +179,8 @@ def _fork(draft: Draft, ahead: Foresight, node: PolicyNode, distance: int) -> st
             ]
         parts.setdefault(then, []).append(listed(said) if said else "")
     if len(parts) == 1:
-        return f"then {next(iter(parts))} whatever comes of it"
+        then = next(iter(parts))
+        return f"then {then} whatever comes of it" if without is None else f"then {then}"
     ordered = sorted(parts.items(), key=lambda each: "" in each[1])
     if sum("" in conditions for _, conditions in ordered) > 1:
         return "what comes then depends on how that turns out"
@@ -193,17 +217,30 @@ def _tell_further(
     goals = [atom for atom in open_atoms(moment.parts, moment) if atom in ahead.finally_true]
     text = ""
     if groups:
-        again = "also " if told else ""
-        text = future_deeds([deed for deed, _ in groups], f"Whatever happens, {again}".rstrip())
-        text = text.replace("also I'll", "I'll also")
+        text = future_deeds([deed for deed, _ in groups], "Whatever happens,")
+        if told:
+            text = re.sub(r"(?<=happens, I'll)", " also", text)
     ends = [saying.text for saying in facts_together(lexicon, goals, "will")]
     if ends and not groups:
         text = f"In the end {listed(ends)}"
     draft.say(text)
+    if full or words_so_far(draft) < ROOM:
+        _tell_loop(draft, ahead, told)
 
 
-def _tell_facts(draft: Draft, ahead: Foresight) -> None:
-    """Every fact that is sure, as long as it is, and one way on to the end."""
+def _tell_loop(draft: Draft, ahead: Foresight, told: Sequence[GroundAction]) -> None:
+    """Say of the nearest action that may change nothing that it is done until it works."""
+    nodes = [ahead.policy.node(id) for id in ahead.reachable]
+    again = next((node.action for node in nodes if node.action and ahead.repeats(node)), None)
+    if again is None or again in told:
+        return
+    deed = draft.moment.lexicon.deed(again)
+    need = "" if again in ahead.unavoidable else "if need be, "
+    draft.say(f"{need}{future_deeds([deed])} as often as it takes")
+
+
+def _claim_ahead(draft: Draft, ahead: Foresight) -> None:
+    """Claim every fact that is sure, as long as it is, and one way on to the end as possible."""
     atoms = frozenset().union(*ahead.sure[1:]) if len(ahead.sure) > 1 else frozenset()
     for atom in atoms:
         start = 1
@@ -214,6 +251,10 @@ def _tell_facts(draft: Draft, ahead: Foresight) -> None:
                 start = run[1] - ahead.now
             start += 1
     claim_path(draft, ahead, ahead.shortest(ahead.node))
+
+
+def _tell_facts(draft: Draft, ahead: Foresight) -> None:
+    """What is so after the next action, and in the end."""
     moment = draft.moment
     first = sorted(ahead.sure[1]) if len(ahead.sure) > 1 else []
     if first:
@@ -223,6 +264,21 @@ def _tell_facts(draft: Draft, ahead: Foresight) -> None:
     if final:
         said = facts_together(moment.lexicon, final, "will", most=12)
         draft.say(f"When I'm done, {listed([s.text for s in said])}")
+
+
+def _tell_end(draft: Draft, ahead: Foresight) -> None:
+    """What is done last, and what is so then."""
+    lexicon = draft.moment.lexicon
+    nodes = [ahead.policy.node(id) for id in ahead.reachable]
+    last = {
+        node.action
+        for node in nodes
+        if node.action and any(ahead.policy.node(id).action is None for id in node.successors)
+    }
+    draft.node(ahead.node.id)
+    words = [lexicon.deed(action).bare for action in sorted(last, key=natural)]
+    chance = ", depending on how things turn out" if len(words) > 1 else ""
+    draft.say(f"The last thing I do is to {listed(words[:4], 'or')}{chance}")
 
 
 def claim_path(draft: Draft, ahead: Foresight, path: Sequence[PolicyNode]) -> None:
@@ -240,89 +296,7 @@ def claim_path(draft: Draft, ahead: Foresight, path: Sequence[PolicyNode]) -> No
             draft.claims.add(Claim(atom, ahead.now + start, ahead.now + distance, "may"))
 
 
-def tell_whether_will(draft: Draft, ahead: Foresight, question: Question) -> None:
-    """Answer whether something will be done, or be so."""
-    asked = question.referents
-    if asked.actions:
-        _whether_action(draft, ahead, question)
-        return
-    lexicon = draft.moment.lexicon
-    for atom in asked.atoms[:4]:
-        clause = lexicon.clause(atom)
-        nodes = {
-            id
-            for id in ahead.reachable
-            if atom in ahead.policy.node(id).state and id != ahead.node.id
-        }
-        if atom in ahead.finally_true:
-            draft.say(f"Yes: by the end {clause.said('will')}")
-            if atom in draft.moment.state:
-                draft.now([atom])
-        elif (path := ahead.path_to(nodes)) is not None:
-            distance = len(path) - 1
-            draft.claims.add(Claim(atom, ahead.now + distance, ahead.now + distance, "may"))
-            draft.say(
-                f"Perhaps: {clause.said('may')}, in {counted(distance, 'action')} at the earliest"
-            )
-        else:
-            draft.say(f"No, {clause.said('will', negative=True)} in this mission")
-
-
-def _whether_action(draft: Draft, ahead: Foresight, question: Question) -> None:
-    asked = question.referents
-    lexicon = draft.moment.lexicon
-    concerned = [
-        (distance, action)
-        for id, distance in ahead.reachable.items()
-        if (action := ahead.policy.node(id).action) and asked.concerns(action)
-    ]
-    if not concerned:
-        done = [each for each in draft.moment.happenings if asked.concerns(each.action)]
-        if done:
-            draft.did(done[-1])
-            deed = lexicon.deed(done[-1].action)
-            again = "" if len(done) == 1 else f" {times(len(done))}"
-            have = "I've" if deed.subject == "I" else f"{deed.subject} has"
-            draft.say(f"Not again: {have} already {deed.done}{again}")
-        else:
-            draft.say("No, that's not in my plan")
-        return
-    sure = [action for action in ahead.unavoidable if asked.concerns(action)]
-    least = min(concerned)[0]
-    when = (
-        "as the next thing"
-        if least == 0
-        else f"after {counted(least, 'more action')} at the earliest"
-    )
-    nearest = min(concerned)[1]
-    if sure:
-        deeds = deeds_together(lexicon, sure)
-        yes = "Yes, " if question.yes_no else ""
-        draft.say(f"{yes}{future_deeds([deed for deed, _ in deeds])}, {when}")
-    else:
-        deed = lexicon.deed(nearest)
-        draft.say(f"Perhaps: it depends on how things turn out; I may {deed.bare} {when}")
-    certainty = "will" if ahead.sure_actions[least : least + 1] == (nearest,) else "may"
-    draft.actions.add(
-        ActionClaim(nearest, ahead.now + least + 1, "will" if certainty == "will" else "may")
-    )
-
-
-def tell_when_ahead(draft: Draft, question: Question) -> bool:
-    """Answer when something will be done; False where it is not ahead."""
-    moment = draft.moment
-    if moment.node is None or moment.policy is None:
-        return False
-    ahead = Foresight(moment.policy, moment.node, moment.now)
-    actions = {ahead.policy.node(id).action for id in ahead.reachable}
-    if not any(action and question.referents.concerns(action) for action in actions):
-        return False
-    draft.node(ahead.node.id)
-    _whether_action(draft, ahead, question)
-    return True
-
-
-def _tell_after(draft: Draft, ahead: Foresight, question: Question) -> bool:
+def tell_after(draft: Draft, ahead: Foresight, question: Question) -> bool:
     """What comes after an action that is spoken of; False where it is not ahead."""
     asked = question.referents
     nodes = {
@@ -337,10 +311,10 @@ def _tell_after(draft: Draft, ahead: Foresight, question: Question) -> bool:
     outcomes = [ahead.policy.node(id) for id in node.successors]
     lexicon = draft.moment.lexicon
     claim_path(draft, ahead, (*path, outcomes[0]))
-    fork = _fork(draft, ahead, node, len(path) - 1)
+    fork = fork_words(draft, ahead, node, len(path) - 1)
     deed = lexicon.deed(str(node.action))
     if fork:
-        draft.say(f"After {deed.doing}, {fork}")
+        draft.say(f"After {deed.doing}, {fork.removeprefix('then ')}")
     elif outcomes[0].action is None:
         draft.say(f"After {deed.doing}, I'm done")
     else:

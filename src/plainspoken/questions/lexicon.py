@@ -21,41 +21,11 @@ from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType, landma
 from plainspoken.world.symbol import ActionSymbol, AtomSymbol, flat, resolve
 
 PREPOSITIONS = frozenset(
-    [
-        "aboard",
-        "above",
-        "across",
-        "at",
-        "behind",
-        "below",
-        "beneath",
-        "beside",
-        "between",
-        "by",
-        "for",
-        "from",
-        "in",
-        "inside",
-        "into",
-        "near",
-        "of",
-        "off",
-        "on",
-        "onto",
-        "out",
-        "outside",
-        "over",
-        "through",
-        "to",
-        "toward",
-        "towards",
-        "under",
-        "underneath",
-        "upon",
-        "with",
-        "within",
-        "without",
-    ]
+    {"aboard", "above", "across", "at", "behind", "below", "beneath"}
+    | {"beside", "between", "by", "for", "from", "in", "inside", "into", "near"}
+    | {"of", "off", "on", "onto", "out", "outside", "over", "through", "to"}
+    | {"toward", "towards", "under", "underneath", "upon", "with", "within"}
+    | {"without"}
 )
 _RELATING = frozenset(
     {"carry", "contain", "cover", "face", "grip", "guard", "hear", "hold", "know", "need", "own"}
@@ -162,7 +132,9 @@ class Lexicon:
                 if self.me is None:
                     continue  # Words for where one of several robots is are no name of a place.
                 places.setdefault(arguments[-1], []).extend(one.phrases)
-            elif arguments and (found := _VERB.match(one.description)):
+            elif (
+                arguments[:1] != [self.me] and arguments and (found := _VERB.match(one.description))
+            ):
                 votes.setdefault(arguments[0], Counter())[found["subject"]] += 1
         names = {
             name: (min(counted, key=lambda words: (-counted[words], len(words), words)),)
@@ -297,7 +269,7 @@ class Lexicon:
         if words[0] in ("has", "have") or self._is_verb(words[0]):
             return Clause(subjects[0], lemma(words[0]), " ".join([*words[1:], second]))
         if len(words) > 1 and words[0] in PREPOSITIONS and words[-1] not in PREPOSITIONS:
-            return Clause(subjects[0], "be", f"{words[0]} {second}")
+            return Clause(subjects[0], "be", f"{words[0]} the {' '.join(words[1:])} of {second}")
         if words[-1] in PREPOSITIONS:
             kinds = {*split_name(arguments[0])}.union(*map(split_name, self.types_of(arguments[0])))
             middle = [word for word in words[:-1] if word not in kinds]

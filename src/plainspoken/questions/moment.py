@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
@@ -17,6 +17,7 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.logic.formula import atoms, conjuncts
 from plainspoken.logic.syntax import parse
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode, policy_from_json
+from plainspoken.questions.demand import Demand, demands_of
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
 from plainspoken.world.event import (
@@ -90,6 +91,7 @@ class Moment:
         self.node_id: int | None = None
         self.ended: MissionEnded | None = None
         self.paused = False
+        self._since: dict[GroundAtom, Instant] = {}
         self.failures: list[tuple[Step, ActionFailed]] = []
         self.reports: list[tuple[Step, ReportReceived]] = []
         self.deviations: list[tuple[Step, DeviationNoticed]] = []
@@ -188,11 +190,22 @@ class Moment:
 
     def since(self, atom: GroundAtom) -> Instant:
         """The first instant of the run of instants up to now at which an atom is as it is now."""
-        states, value = self.states, atom in self.state
-        index = self.now
-        while index > 0 and (atom in states[index - 1]) == value:
+        if atom not in self._since:
+            self.look_back([atom])
+        return self._since[atom]
+
+    def look_back(self, atoms: Iterable[GroundAtom]) -> None:
+        """Find since when some atoms are as they are, in one walk back over the instants."""
+        waiting = {atom for atom in atoms if atom not in self._since}
+        states, index = self.states, self.now
+        while index > 0 and waiting:
+            later, earlier = states[index], states[index - 1]
+            if later is not earlier:
+                for atom in (later ^ earlier) & waiting:
+                    self._since[atom] = index
+                    waiting.discard(atom)
             index -= 1
-        return index
+        self._since.update(dict.fromkeys(waiting, 0))
 
     @cached_property
     def runs(self) -> dict[GroundAtom, list[Run]]:
@@ -253,6 +266,16 @@ class Moment:
     def parts(self) -> tuple[Part, ...]:
         """The conjuncts of the request, each with what its automaton has seen so far."""
         return self.parts_at(self.now)
+
+    @cached_property
+    def demands(self) -> tuple[Demand, ...]:
+        """The parts of the request as a person gave them, each with its verdict."""
+        return demands_of(self.parts)
+
+    def demand_of(self, part: Part) -> Demand:
+        """The part of the request that a conjunct belongs to."""
+        own = part.formula
+        return next(d for d in self.demands if own in [each.formula for each in d.parts])
 
     def parts_at(self, instant: Instant) -> tuple[Part, ...]:
         """The conjuncts of the request as they were at an instant."""

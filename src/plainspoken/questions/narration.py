@@ -134,12 +134,21 @@ def often(text: str, number: int) -> str:
 
 def spoken(deeds: Sequence[tuple[str, str]], *, auxiliary: str = "") -> str:
     """`I checked mug 1 and picked it`: subjects and what they did, each subject said once."""
-    parts: list[str] = []
-    last = ""
+    runs: list[tuple[str, list[str]]] = []
     for subject, words in deeds:
-        parts.append(words if subject == last else f"{subject}{auxiliary} {words}")
-        last = subject
-    return listed(parts)
+        if runs and runs[-1][0] == subject:
+            runs[-1][1].append(words)
+        else:
+            runs.append((subject, [words]))
+    said = [
+        f"{subject}{_will(subject) if auxiliary == 'will' else ''} {listed(words)}"
+        for subject, words in runs
+    ]
+    return ", and ".join(filter(None, (", ".join(said[:-1]), said[-1]))) if said else ""
+
+
+def _will(subject: str) -> str:
+    return "'ll" if subject == "I" else " will"
 
 
 def past_deeds(deeds: Sequence[tuple[Deed, int]]) -> str:
@@ -149,13 +158,8 @@ def past_deeds(deeds: Sequence[tuple[Deed, int]]) -> str:
 
 def future_deeds(deeds: Sequence[Deed], opening: str = "") -> str:
     """`I'll check mug 1 and sign off line 1`."""
-    parts = []
-    last = ""
-    for deed in deeds:
-        will = "'ll" if deed.subject == "I" else " will"
-        parts.append(deed.bare if deed.subject == last else f"{deed.subject}{will} {deed.bare}")
-        last = deed.subject
-    return " ".join(filter(None, (opening, listed(parts))))
+    said = spoken([(deed.subject, deed.bare) for deed in deeds], auxiliary="will")
+    return " ".join(filter(None, (opening, said)))
 
 
 def joined_runs(deeds: Sequence[Deed]) -> list[Deed]:
@@ -212,11 +216,6 @@ def named(lexicon: Lexicon, names: Sequence[str], most: int = 12) -> str:
 def steps(number: int) -> str:
     """`three more actions`."""
     return f"{counted(number, 'more action')}" if number else "nothing more"
-
-
-def still(text: str) -> str:
-    """`the box is still full`: a saying about now with what it says going on."""
-    return re.sub(r"^(I'm|.*? (?:is|are))\b", r"\1 still", text, count=1)
 
 
 def ago(number: int) -> str:

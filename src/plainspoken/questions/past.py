@@ -6,16 +6,15 @@ import re
 from collections.abc import Sequence
 
 from plainspoken.questions.claim import ActionClaim, Draft
+from plainspoken.questions.clause import enumerated
 from plainspoken.questions.moment import Happening, Moment
 from plainspoken.questions.morphology import counted, listed, participle, times
 from plainspoken.questions.narration import (
-    Saying,
     ago,
     deeds_together,
     facts_together,
     often,
     past_deeds,
-    still,
 )
 from plainspoken.questions.question import Question, Span
 from plainspoken.questions.wish import action_words
@@ -35,6 +34,9 @@ def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
     asked = question.referents
     if question.yes_no and asked.actions and question.span is not Span.LAST:
         tell_whether(draft, question)
+        return
+    if question.yes_no and (asked.atoms or asked.visits) and not asked.actions:
+        tell_so_far(draft, question)
         return
     if not happenings:
         draft.evidence.add(moment.steps[0])
@@ -63,11 +65,20 @@ def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
         _tell_last(draft, happenings)
     else:
         chosen = [each for each in happenings if asked.concerns(each.action)]
+        if asked.objects and not chosen and question.span is Span.ALL:
+            draft.evidence.add(moment.steps[-1])
+            no = "No, " if question.yes_no else ""
+            draft.say(f"{no}I haven't done anything with {_named(asked.objects, moment)} so far")
+            return
         _tell_all(draft, chosen or happenings, full=full)
         if chosen == happenings == moment.happenings and not full:
-            _tell_unchanged(draft)
+            _claim_unchanged(draft)
     if full:
         tell_facts(draft, moment)
+
+
+def _named(objects: Sequence[str], moment: Moment) -> str:
+    return enumerated([moment.lexicon.object_words(name) for name in objects])
 
 
 def _tell_failures(draft: Draft) -> None:
@@ -129,10 +140,12 @@ def _tell_all(draft: Draft, happenings: Sequence[Happening], *, full: bool) -> N
     told = [each for each in happenings if each.action not in motions] or list(happenings)
     groups = deeds_together(lexicon, [each.action for each in told])
     shown = groups if full else groups[:MOST_GROUPS]
+    while not full and len(shown) > 2 and len(past_deeds(shown).split()) > BRIEF - 15:
+        shown = shown[:-1]
     draft.did_all(happenings)
     opening = past_deeds(shown)
     if len(groups) > len(shown):
-        opening += f", among other things ({counted(len(happenings), 'action')} in all)"
+        opening += f", among other things: {counted(len(happenings), 'action')} in all"
     draft.say(f"So far {opening}" if len(happenings) > 1 else opening)
     if last.action in motions and len(told) < len(happenings):
         draft.say(f"{_just(moment, last)} {past_deeds([(lexicon.deed(last.action), 1)])}")
@@ -143,20 +156,11 @@ def _tell_all(draft: Draft, happenings: Sequence[Happening], *, full: bool) -> N
         draft.say(f"{_just(moment, last)} {told_last}" + (f": {found}" if found else ""))
 
 
-def _tell_unchanged(draft: Draft) -> None:
-    """What has been so all the time, as far as there is room in a brief answer."""
+def _claim_unchanged(draft: Draft) -> None:
+    """Claim what has been so all the time."""
     moment = draft.moment
-    unchanged = [atom for atom in sorted(moment.fluents) if moment.since(atom) == 0]
-    room = BRIEF - sum(len(each.split()) for each in draft.sentences) - 5
-    chosen: list[Saying] = []
-    for saying in facts_together(moment.lexicon, unchanged):
-        room -= len(saying.text.split()) + 1
-        if room < 0:
-            break
-        chosen.append(saying)
-        draft.now(saying.atoms)
-    if chosen:
-        draft.say(listed([still(saying.text) for saying in chosen]))
+    moment.look_back(moment.fluents)
+    draft.now(atom for atom in sorted(moment.fluents) if moment.since(atom) == 0)
 
 
 def _just(moment: Moment, last: Happening) -> str:
@@ -249,7 +253,7 @@ def tell_count(draft: Draft, question: Question) -> None:
     opening = "Yes, " if question.yes_no else ""
     said = past_deeds([(deed, 1) for deed, _ in groups])
     if len({each.action for each in found}) == len(found) > 1:
-        draft.say(f"{opening}{said}: {counted(len(found), 'time')} in all")
+        draft.say(f"{opening}{said}: {times(len(found))} in all")
     else:
         draft.say(f"{opening}{often(said, len(found)) if len(found) > 1 else said + ' once'}")
 
@@ -265,11 +269,62 @@ def _count_all(draft: Draft, question: Question) -> None:
             draft.was(atom, start)
         clause = moment.lexicon.clause(atom)
         if not runs:
-            draft.say(f"No, so far {clause.said('was', negative=True)} at any moment")
+            draft.now([atom])
+            draft.say(f"No, {clause.never()}" if question.yes_no else f"Not once: {clause.never()}")
         else:
-            draft.say(f"Yes, {clause.said('was')} {times(len(runs))} so far")
+            yes = "Yes, " if question.yes_no else ""
+            draft.say(f"{yes}{clause.said('was')} {times(len(runs))} so far")
         return
     happenings = moment.happenings
     draft.evidence.update(each.step for each in happenings[-1:])
     draft.did_all(happenings, changes=False)
     draft.say(f"So far I've done {counted(len(happenings), 'action')}")
+
+
+def tell_so_far(draft: Draft, question: Question, *, hoped: bool = True) -> None:
+    """Answer whether something asked about has ever been so, and when last.
+
+    hoped: False where the question is whether it was avoided
+    """
+    moment = draft.moment
+    lexicon = moment.lexicon
+    atoms = _meant_facts(question, moment)
+    draft.evidence.add(moment.steps[-1])
+    if not atoms:
+        draft.known = False
+        draft.say("You asked for nothing about that, as far as I know")
+        return
+    been = [atom for atom in atoms if atom in moment.runs]
+    if not been:
+        draft.now(atoms)
+        said = listed([lexicon.clause(atom).never() for atom in atoms[:4]])
+        no = "No" if hoped else "Yes"
+        draft.say(f"{no}, {said}" if question.yes_no else said)
+        return
+    yes = "" if not question.yes_no else "Yes, " if hoped else "No, "
+    for atom in been[:4]:
+        runs = moment.runs[atom]
+        for start, _ in runs:
+            draft.was(atom, start)
+        clause = lexicon.clause(atom)
+        often_so = f" {times(len(runs))}" if len(runs) > 1 else ""
+        if atom in moment.state:
+            since = runs[-1][0]
+            when = "from the start" if since == 0 else f"since {ago(moment.now - since)}"
+            draft.say(
+                f"{yes}{clause.said()}, {when}"
+                if not often_so
+                else (f"{yes}{clause.said('was')}{often_so}, and it is so now")
+            )
+        else:
+            last = ago(moment.now - runs[-1][1])
+            draft.say(f"{yes}{clause.said('was')}{often_so}, the last time {last}")
+
+
+def _meant_facts(question: Question, moment: Moment) -> list[GroundAtom]:
+    """The facts a question about the past is about: as spelled out, or where I was."""
+    asked = question.referents
+    if asked.atoms:
+        best = asked.atoms[0].split()[0]
+        return [atom for atom in asked.atoms if atom.split()[0] == best]
+    return [a for a in asked.visits if moment.changes(a)]

@@ -2,38 +2,61 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 
 from plainspoken.questions.claim import ActionClaim, Draft
 from plainspoken.questions.morphology import listed
-from plainspoken.questions.narration import Saying, facts_together, present_deed
+from plainspoken.questions.narration import (
+    MOST_NAMED,
+    Saying,
+    facts_together,
+    natural,
+    present_deed,
+)
 from plainspoken.questions.past import BRIEF, outcome
 from plainspoken.questions.question import Question
 from plainspoken.questions.reason import purpose_words, reason_for
+from plainspoken.questions.spelling import normal
+from plainspoken.questions.wish import are_my_places
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.symbol import AtomSymbol
 
+MOST_FACTS = 4
+"""Facts that a brief answer names; the others are claimed, not said."""
+_HALTED = re.compile(r"\b(?:paused|stopped|idle|on hold|free|resting|inactive|waiting|stuck)\b")
+_GOING = re.compile(r"\b(?:moving|working|running|active|busy|occupied)\b")
+
 
 def tell_now(draft: Draft, question: Question, *, full: bool) -> None:
-    """Answer what is going on."""
+    """Answer what is going on; whether it is, with yes or no first."""
     moment = draft.moment
     if moment.ended is not None:
         tell_end(draft)
     else:
         _tell_action(draft)
-        _agree(draft, question)
-    _tell_standing(draft, full=full)
+    agreed = question.yes_no and _agree(draft, question)
+    if full or not agreed:
+        _tell_standing(draft, full=full)
 
 
-def _agree(draft: Draft, question: Question) -> None:
-    """Put yes or no in front, where the question is whether an action is under way."""
+def _agree(draft: Draft, question: Question) -> bool:
+    """Put yes or no in front, where the question is whether something is under way."""
     asked = question.referents
-    if question.yes_no and asked.actions:
-        started = draft.moment.started
+    started = draft.moment.started
+    plain = normal(question.text)
+    if asked.actions or asked.objects:
         yes = started is not None and asked.concerns(started.action)
-        first = draft.sentences[0]
-        own = first if first.startswith("I") else first[0].lower() + first[1:]
-        draft.sentences[0] = f"{'Yes' if yes else 'No'}, {own}"
+    elif _HALTED.search(plain):
+        yes = draft.moment.paused and started is None
+    elif _GOING.search(plain):
+        yes = started is not None
+    else:
+        return False
+    first = draft.sentences[0]
+    own = first if first.startswith("I") else first[0].lower() + first[1:]
+    draft.sentences[0] = f"{'Yes' if yes else 'No'}, {own}"
+    return True
 
 
 def tell_end(draft: Draft) -> None:
@@ -94,34 +117,52 @@ def _tell_action(draft: Draft) -> None:
 
 
 def _tell_standing(draft: Draft, *, full: bool) -> None:
-    """How things stand: what the action touches first, then what the request speaks of."""
+    """How things stand: where I am, what the action touches, then what the request speaks of."""
     moment = draft.moment
-    sayings = facts_together(moment.lexicon, ranked(draft, moment.fluents), most=12 if full else 5)
+    draft.now(moment.fluents)
+    order = ranked(draft, moment.fluents, everything=full)
+    sayings = facts_together(moment.lexicon, order, most=12 if full else MOST_NAMED)
     room = BRIEF - sum(len(sentence.split()) for sentence in draft.sentences)
     chosen: list[Saying] = []
     for saying in sayings:
         room -= len(saying.text.split()) + 1
-        if not full and room < 0 and chosen:
+        if not full and ((room < 0 and chosen) or _facts_in([*chosen, saying]) > MOST_FACTS):
             break
         chosen.append(saying)
-    for saying in chosen:
-        draft.now(saying.atoms)
     draft.say(listed([saying.text for saying in chosen]))
 
 
-def ranked(draft: Draft, atoms: Iterable[GroundAtom]) -> list[GroundAtom]:
-    """Facts, what matters most first: where I am, what changed last, what was asked for."""
+def _facts_in(sayings: Sequence[Saying]) -> int:
+    """How many facts are said: those said of several things together count once."""
+    return sum(len({atom.split()[0] for atom in saying.atoms}) for saying in sayings)
+
+
+def ranked(draft: Draft, atoms: Iterable[GroundAtom], *, everything: bool) -> list[GroundAtom]:
+    """Facts, what matters most first: where I am, what the action touches, or what it is done for.
+
+    What has to do with neither the request nor these actions is left out, unless all is wanted.
+    """
     moment = draft.moment
     lexicon = moment.lexicon
-    touched = set((moment.started.action if moment.started else "").split()[1:])
-    if not touched and moment.happenings:
-        touched = set(moment.happenings[-1].action.split()[1:])
+    action = moment.started.action if moment.started else None
+    if action is None and moment.node is not None:
+        action = moment.node.action
+    if action is None and moment.happenings and moment.ended is None:
+        action = moment.happenings[-1].action
+    reason = reason_for(moment)
+    later = reason.links[1].action if reason is not None and len(reason.links) > 1 else ""
+    touched = {each for each in (action or "").split()[1:] if each != lexicon.me}
+    used = touched | {each for each in later.split()[1:] if each != lexicon.me}
     asked = {s.atom for s in moment.letters.symbols if isinstance(s, AtomSymbol)}
 
-    def rank(atom: GroundAtom) -> tuple[int, str]:
-        arguments = atom.split()[1:]
-        mine = lexicon.clause(atom).subject == "I" and lexicon.place_clause(atom)
-        about = all(each in touched or each == lexicon.me for each in arguments)
-        return (0 if mine else 1 if about else 2 if atom in asked else 3, atom)
+    def rank(atom: GroundAtom) -> int:
+        arguments = set(atom.split()[1:])
+        if are_my_places([atom], lexicon):
+            return 0
+        for number, things in enumerate((touched, used), start=1):
+            if arguments & things and arguments <= things | {lexicon.me}:
+                return number
+        return 3 if atom in asked else 4
 
-    return sorted(atoms, key=rank)
+    order = sorted(atoms, key=lambda atom: (rank(atom), natural(atom)))
+    return order if everything else [atom for atom in order if rank(atom) < 4]

@@ -3,16 +3,37 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
-from plainspoken.automata.verdict import Part, Verdict
+from plainspoken.automata.verdict import Verdict
+from plainspoken.logic.formula import atoms
+from plainspoken.logic.pattern import Visit
 from plainspoken.questions.claim import Draft
+from plainspoken.questions.clause import enumerated
+from plainspoken.questions.demand import Demand
 from plainspoken.questions.foresight import Foresight
-from plainspoken.questions.morphology import counted, listed
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.moment import Moment
+from plainspoken.questions.morphology import counted, listed, participle
 from plainspoken.questions.narration import facts_together
 from plainspoken.questions.present import tell_end
 from plainspoken.questions.question import Question
-from plainspoken.questions.wish import Aim, Wish, standing, wanted, wish_of
+from plainspoken.questions.wish import (
+    Aim,
+    Wish,
+    are_my_places,
+    outcome_words,
+    standing,
+    wanted,
+    wish_of,
+)
 from plainspoken.world.domain import GroundAtom
+from plainspoken.world.symbol import AtomSymbol
+
+_OF_TIME = re.compile(
+    r"\b(?:how (?:much )?long(?:er)?|how much (?:more|is left)|how many|when|take|much left)\b"
+)
+"""Questions that want to know how much is left, and no more."""
 
 
 def tell_progress(draft: Draft, question: Question) -> None:
@@ -21,15 +42,24 @@ def tell_progress(draft: Draft, question: Question) -> None:
     draft.evidence.update({moment.steps[0], moment.steps[-1]})
     if moment.ended is not None:
         tell_end(draft)
-    elif question.yes_no:
+        if question.yes_no:
+            first = draft.sentences[0]
+            draft.sentences[0] = f"{'Yes' if moment.ended.satisfied else 'No'}, {first}"
+    elif question.yes_no and not _OF_TIME.search(question.text.lower()):
         draft.say(_yes_or_no(draft, question))
     if re.search(r"\b(?:i|goal|mission|objective|request|aim)\b", question.text.lower()):
-        wishes = [wish_of(part.formula, moment.lexicon) for part in moment.parts]
+        wishes = [wish_of(demand.said, moment.lexicon) for demand in moment.demands]
         reach = [atom for wish in wishes if wish.aim is Aim.REACH for atom in wish.atoms]
-        said = [wanted(Wish(Aim.REACH, moment.parts[0].formula, tuple(reach)), moment.lexicon)]
+        said = [wanted(Wish(Aim.REACH, moment.demands[0].said, tuple(reach)), moment.lexicon)]
         said += [wanted(wish, moment.lexicon) for wish in wishes if wish.aim is not Aim.REACH]
-        draft.say(f"You want {listed([each for each in said if each])}")
-    _tell_parts(draft)
+        want = "You want" if moment.ended is None else "You wanted"
+        draft.say(f"{want} {_series([each for each in said if each])}")
+        _tell_parts(draft, promises=False)
+        return
+    if moment.ended is None and _OF_TIME.search(question.text.lower()):
+        _tell_left(draft)
+        return
+    _tell_parts(draft, promises=not question.yes_no or moment.ended is not None)
     if moment.ended is None:
         _tell_left(draft)
 
@@ -41,7 +71,7 @@ def _yes_or_no(draft: Draft, question: Question) -> str:
         r"\b(?:done|finish\w*|ready|complete\w*|over|there|achieved)\b", question.text.lower()
     ):
         return "Not yet"
-    if any(part.verdict is Verdict.VIOLATED for part in moment.parts):
+    if any(demand.verdict is Verdict.VIOLATED for demand in moment.demands):
         return "No"
     if moment.node is None or moment.policy is None:
         return "I can't say at the moment"
@@ -49,51 +79,87 @@ def _yes_or_no(draft: Draft, question: Question) -> str:
     return "Yes, my plan gets there whatever happens"
 
 
-def _tell_parts(draft: Draft) -> None:
+def _tell_parts(draft: Draft, *, promises: bool = True) -> None:
+    """Each part as done, open, kept or lost; `promises`: also those that are kept so far."""
     moment = draft.moment
     lexicon = moment.lexicon
+    groups: dict[Verdict, list[str]] = {verdict: [] for verdict in Verdict}
     reached: list[GroundAtom] = []
     once: list[GroundAtom] = []
     missing: list[GroundAtom] = []
-    others: dict[str, list[str]] = {"done": [], "open": [], "kept": [], "lost": []}
-    for part in moment.parts:
-        wish = wish_of(part.formula, lexicon)
-        if wish.aim is Aim.REACH:
-            for atom in wish.atoms:
-                if atom in moment.state:
-                    reached.append(atom)
-                elif part.verdict is Verdict.SATISFIED:
-                    once.append(atom)
-                else:
-                    missing.append(atom)
-        else:
-            others[_standing(part)].append(standing(wish, lexicon))
+    for demand in moment.demands:
+        wish = wish_of(demand.said, lexicon)
+        if wish.aim is not Aim.REACH:
+            groups[_standing(demand, wish)].append(_said(demand, wish, lexicon))
+            continue
+        for atom in wish.atoms:
+            met = demand.verdict is Verdict.SATISFIED
+            (reached if atom in moment.state else once if met else missing).append(atom)
     draft.now([*reached, *missing])
     for atom in once:
         runs = moment.runs.get(atom)
         if runs:
             draft.was(atom, runs[-1][0])
-    done = [s.text for s in facts_together(lexicon, reached)]
-    done += [s.text for s in facts_together(lexicon, once, "was")] + others["done"]
-    still = [s.text for s in facts_together(lexicon, missing, negative=True)] + others["open"]
+    done = _reached(draft, reached, once) + groups[Verdict.SATISFIED]
+    still = _missing(draft, missing) + groups[Verdict.OPEN]
     if done:
         draft.say(f"Done: {listed(done)}")
     if still:
         opening = "Still open" if done else "Nothing is done yet"
         draft.say(f"{opening}: {listed(still)}")
-    if others["kept"]:
-        draft.say(f"Kept so far: {listed(others['kept'])}")
-    if others["lost"]:
-        draft.say(f"Broken, and not to be mended: {listed(others['lost'])}")
+    kept = groups[Verdict.HOLDS_SO_FAR]
+    if kept and promises:
+        draft.say(f"Kept {'so far' if moment.ended is None else 'to the end'}: {_series(kept)}")
+    if lost := groups[Verdict.VIOLATED]:
+        draft.say(f"Broken, and not to be mended: {_series(lost)}")
 
 
-def _standing(part: Part) -> str:
-    return {
-        Verdict.SATISFIED: "done",
-        Verdict.OPEN: "open",
-        Verdict.HOLDS_SO_FAR: "kept",
-        Verdict.VIOLATED: "lost",
-    }[part.verdict]
+def _series(parts: Sequence[str]) -> str:
+    """A list whose items may hold commas themselves."""
+    if len(parts) > 1 and any("," in part for part in parts):
+        return f"{'; '.join(parts[:-1])}; and {parts[-1]}"
+    return listed(parts)
+
+
+def _reached(draft: Draft, now: Sequence[GroundAtom], once: Sequence[GroundAtom]) -> list[str]:
+    """`line 0 is cleared`, `I've been to line 2`."""
+    lexicon = draft.moment.lexicon
+    been = [atom for atom in (*now, *once) if are_my_places([atom], lexicon)]
+    said = [s.text for s in facts_together(lexicon, [a for a in now if a not in been])]
+    said += [s.text for s in facts_together(lexicon, [a for a in once if a not in been], "was")]
+    return said + ([f"I've been to {_places(been, lexicon)}"] if been else [])
+
+
+def _missing(draft: Draft, atoms: Sequence[GroundAtom]) -> list[str]:
+    lexicon = draft.moment.lexicon
+    places = [atom for atom in atoms if are_my_places([atom], lexicon)]
+    facts = [atom for atom in atoms if atom not in places]
+    said = [s.text for s in facts_together(lexicon, facts, negative=True)]
+    return said + ([f"I haven't been to {_places(places, lexicon)} yet"] if places else [])
+
+
+def _places(atoms: Sequence[GroundAtom], lexicon: Lexicon) -> str:
+    return enumerated([lexicon.object_words(atom.split()[-1]) for atom in atoms])
+
+
+def _standing(demand: Demand, wish: Wish) -> Verdict:
+    """A promise that asks for nothing any more has been kept, and goes on being one."""
+    if demand.verdict is Verdict.SATISFIED and wish.aim in (Aim.KEEP, Aim.AVOID):
+        return Verdict.HOLDS_SO_FAR
+    return demand.verdict
+
+
+def _said(demand: Demand, wish: Wish, lexicon: Lexicon) -> str:
+    """A part as what I do, or as what is done or left to do."""
+    if wish.aim is Aim.DO and demand.verdict is Verdict.SATISFIED:
+        verb, _, rest = wish.bare.partition(" ")
+        return f"I've {participle(verb)} {rest}".strip()
+    if wish.bare and demand.verdict is Verdict.OPEN and not isinstance(wish.said, Visit):
+        return f"I still have to {wish.bare}"
+    if wish.aim is Aim.DO:
+        return f"I still have to {wish.bare}"
+    reached = demand.verdict is Verdict.SATISFIED
+    return outcome_words(wish, lexicon, reached=reached) or standing(wish, lexicon)
 
 
 def remaining_words(ahead: Foresight, draft: Draft) -> str:
@@ -118,44 +184,54 @@ def _tell_left(draft: Draft) -> None:
     ahead = Foresight(moment.policy, moment.node, moment.now)
     draft.node(moment.node.id)
     if ahead.node.action is None:
+        draft.say("" if draft.sentences else "Nothing is left to do")
         return
-    draft.say(f"That takes {remaining_words(ahead, draft)}")
+    draft.say(f"{'That' if draft.sentences else 'It'} takes {remaining_words(ahead, draft)}")
 
 
-def tell_constraint(draft: Draft, question: Question) -> None:
-    """Answer whether what is to be kept or avoided has been."""
+def tell_constraint(draft: Draft, question: Question) -> bool:
+    """Answer whether what is to be kept or avoided has been; False where nothing of it is asked."""
     moment = draft.moment
     lexicon = moment.lexicon
-    draft.evidence.update({moment.steps[0], moment.steps[-1]})
     kept: list[str] = []
     lost: list[str] = []
     asked = set(question.referents.objects)
-    about_asked = False
-    for part in moment.parts:
-        if part.verdict is Verdict.OPEN:
+    for demand in moment.demands:
+        wish = wish_of(demand.said, lexicon)
+        if demand.verdict is Verdict.OPEN or wish.aim in (Aim.REACH, Aim.DO):
             continue
-        wish = wish_of(part.formula, lexicon)
-        if wish.aim in (Aim.REACH, Aim.DO):
+        if asked and not asked & _things(demand, moment):
             continue
-        about = asked & {word for atom in wish.atoms for word in atom.split()[1:]}
-        about |= asked & set(wish.action.arguments if wish.action else ())
-        if asked and wish.aim is not Aim.OTHER and not about:
-            continue
-        about_asked = about_asked or bool(about)
         draft.now(wish.atoms)
-        (lost if part.verdict is Verdict.VIOLATED else kept).append(standing(wish, lexicon))
-    if asked and not about_asked:
-        draft.known = False
-        draft.say("You asked for nothing about that, as far as I know")
-    elif lost:
-        draft.say(f"No: this has been broken: {listed(lost)}")
+        (lost if demand.verdict is Verdict.VIOLATED else kept).append(standing(wish, lexicon))
+    if asked and not kept and not lost:
+        return False
+    draft.evidence.update({moment.steps[0], moment.steps[-1]})
+    breach = re.search(r"\b(?:br[eo]ke?n?|break|violat\w+|ignor\w+)\b", question.text.lower())
+    if lost:
+        yes = "Yes" if breach else "No"
+        draft.say(f"{yes}, this has been broken: {_series(lost)}")
     elif kept:
-        plan = "" if moment.policy is None else ", and my plan does so whatever happens"
-        draft.say(
-            f"{'Yes. ' if question.yes_no else ''}I've kept to this so far{plan}: {listed(kept)}"
-        )
-        if moment.chosen:
+        yes = "" if not question.yes_no else "No, " if breach else "Yes, "
+        it = "it" if len(kept) == 1 else "that"
+        when = "so far" if moment.ended is None else "to the end"
+        draft.say(f"{yes}I've kept to {it} {when}: {_series(kept)}")
+        if moment.chosen and moment.ended is None:
             draft.evidence.add(moment.chosen_step)
+            draft.say("My plan keeps to that whatever happens")
     else:
         draft.known = False
         draft.say("You gave me nothing to keep to or to avoid")
+    return True
+
+
+def _things(demand: Demand, moment: Moment) -> set[str]:
+    """The objects that a part of the request speaks of."""
+    formulas = [part.formula for part in demand.parts]
+    ids = {name for formula in formulas for name in atoms(formula)}
+    found: set[str] = set()
+    for symbol in moment.letters.symbols:
+        if symbol.id in ids:
+            words = symbol.atom.split()[1:] if isinstance(symbol, AtomSymbol) else symbol.arguments
+            found.update(words)
+    return found

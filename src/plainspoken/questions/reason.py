@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from plainspoken.automata.verdict import Part, Verdict
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode
@@ -222,7 +223,8 @@ def tell_why(draft: Draft, question: Question) -> None:
     action = moment.started.action if moment.started else None
     if action is None and moment.node is not None:
         action = moment.node.action
-    if asked.actions and (action is None or not asked.concerns(action)):
+    specific = bool(asked.actions or asked.objects)
+    if specific and (action is None or not asked.concerns(action)):
         past = [each for each in moment.happenings if asked.concerns(each.action)]
         if past:
             each = past[-1]
@@ -232,8 +234,10 @@ def tell_why(draft: Draft, question: Question) -> None:
             draft.did(each)
             deed = moment.lexicon.deed(each.action)
             _say_reason(draft, reason, f"{deed.subject} {deed.did}", was=True)
-            return
-    if action is None or (asked.actions and not asked.concerns(action)):
+        elif not _tell_planned(draft, question):
+            _say_not_doing(draft, question)
+        return
+    if action is None:
         _say_not_doing(draft, question)
         return
     reason = reason_for(moment)
@@ -248,20 +252,52 @@ def tell_why(draft: Draft, question: Question) -> None:
         _say_reason(draft, reason, f"Next {will} {deed.bare}", was=False)
 
 
+def _tell_planned(draft: Draft, question: Question) -> bool:
+    """Why an action is ahead; False where it is not."""
+    moment = draft.moment
+    if moment.node is None or moment.policy is None:
+        return False
+    ahead = Foresight(moment.policy, moment.node, moment.now)
+    concerned = {
+        id
+        for id in ahead.reachable
+        if (action := moment.policy.node(id).action) and question.referents.concerns(action)
+    }
+    path = ahead.path_to(concerned) if concerned else None
+    if path is None:
+        return False
+    parts = moment.parts
+    for here, after in pairwise(path):
+        parts = moment.after(parts, after.state, str(here.action))
+    action = str(path[-1].action)
+    at = moment.now + len(path) - 1
+    reason = _Search(moment, moment.policy).reason(_Place(path[-1], at, parts))
+    deed = moment.lexicon.deed(action)
+    draft.actions.add(ActionClaim(action, at + 1, "may"))
+    helper = "'ll" if deed.subject == "I" else " will"
+    if action not in ahead.unavoidable:
+        helper = " may"
+    _say_reason(draft, reason, f"{deed.subject}{helper} {deed.bare}", was=False, later=True)
+    return True
+
+
 def _say_not_doing(draft: Draft, question: Question) -> None:
     moment = draft.moment
     draft.evidence.add(moment.entries[-1].step)
-    if moment.ended is not None and not question.referents.actions:
+    asked = question.referents
+    if moment.ended is not None and not (asked.actions or asked.objects):
         draft.say("I'm not doing anything any more: the mission is over")
-    elif question.referents.actions:
+    elif question.referents.actions or question.referents.objects:
         draft.known = False
-        draft.say("I haven't done that, and I'm not doing it now")
+        draft.say("I haven't done that, and it's not in my plan")
     else:
         draft.known = False
         draft.say("I have no plan for what I do next at the moment")
 
 
-def _say_reason(draft: Draft, reason: Reason | None, opening: str, *, was: bool) -> None:
+def _say_reason(
+    draft: Draft, reason: Reason | None, opening: str, *, was: bool, later: bool = False
+) -> None:
     moment = draft.moment
     lexicon = moment.lexicon
     if reason is None:
@@ -280,11 +316,11 @@ def _say_reason(draft: Draft, reason: Reason | None, opening: str, *, was: bool)
         words = f" so that {deed.subject} {'could' if was else 'can'} {deed.bare}"
     part = ""
     if reason.part is not None:
-        part = f"you want {wanted(wish_of(reason.part.formula, lexicon), lexicon)}"
+        part = f"you want {wanted(wish_of(moment.demand_of(reason.part).said, lexicon), lexicon)}"
         draft.evidence.add(moment.entries[0].step)
     if words:
         draft.say(f"{opening}{words}")
-        obstacle = "" if was else _obstacle(draft, reason)
+        obstacle = "" if was or later else _obstacle(draft, reason)
         draft.say("; ".join(filter(None, (obstacle, part and f"I need that because {part}"))))
     else:
         draft.say(f"{opening} because {part}" if part else opening)

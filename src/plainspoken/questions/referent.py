@@ -8,50 +8,17 @@ from dataclasses import dataclass
 from itertools import product
 
 from plainspoken.questions.lexicon import PREPOSITIONS, Lexicon, split_name
-from plainspoken.questions.morphology import lemma, plural
+from plainspoken.questions.morphology import (
+    lemma,
+    participle,
+    past,
+    plural,
+    progressive,
+    third_person,
+)
+from plainspoken.questions.spelling import NUMBERS
 from plainspoken.world.domain import GroundAction, GroundAtom
 
-NUMBERS = [
-    "zero",
-    "one",
-    "two",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-    "thirteen",
-    "fourteen",
-    "fifteen",
-    "sixteen",
-    "seventeen",
-    "eighteen",
-    "nineteen",
-    "twenty",
-]
-_CONTRACTIONS = (
-    (r"\bwon't\b", "will not"),
-    (r"\bcan't\b|\bcannot\b", "can not"),
-    (r"\bshan't\b", "shall not"),
-    (r"n't\b", " not"),
-    (r"\b(i)'m\b", r"\1 am"),
-    (r"'re\b", " are"),
-    (r"'ve\b", " have"),
-    (r"'ll\b", " will"),
-    (r"'d\b", " would"),
-    (r"\b(what|where|who|how|when|why|that|it|there|here|he|she|which)'?s\b(?! own)", r"\1 is"),
-    (r"\blet's\b", "let us"),
-    (r"\bwhats\b", "what is"),
-    (r"\bgonna\b", "going to"),
-    (r"\bwanna\b", "want to"),
-    (r"\b(dont|didnt|isnt|arent|doesnt|havent|wasnt)\b", lambda m: m[1][:-2] + " not"),
-)
-_ASKING = "do|does|did|is|are|was|were|have|has|had|will|would|can|could|should"
 _ALIKE = {"in": "inside", "inside": "in", "on": "onto", "onto": "on"}
 _EMPTY = frozenset(
     [
@@ -96,6 +63,14 @@ _EMPTY = frozenset(
 )
 
 
+_BEEN = re.compile(r"\b(?:been|was|were|went|away|out)\b")
+MOTION = frozenset(
+    {"go", "move", "drive", "come", "head", "travel", "enter", "visit", "reach", "arrive", "return"}
+    | {"walk", "leave", "approach", "proceed"}
+)
+"""Verbs of going, which any domain with places understands."""
+
+
 @dataclass(frozen=True, slots=True)
 class Referents:
     """What a text speaks of.
@@ -105,6 +80,8 @@ class Referents:
     deeds:   ground actions of the named kind cannot be listed before a log is at hand, so the
              named actions and objects stand for them
     verbs:   every word that is an action's verb in this domain
+    visits:  that I am at a place named, where the words speak of going or having been there
+    goals:   for each action that only goes somewhere, which argument says where
     """
 
     objects: tuple[str, ...] = ()
@@ -113,23 +90,19 @@ class Referents:
     actions: tuple[str, ...] = ()
     atoms: tuple[GroundAtom, ...] = ()
     verbs: frozenset[str] = frozenset()
+    visits: tuple[GroundAtom, ...] = ()
+    goals: tuple[tuple[str, int], ...] = ()
 
     def concerns(self, action: GroundAction) -> bool:
         """Whether a ground action is one of those spoken of."""
         name, *arguments = action.split()
-        return (not self.actions or name in self.actions) and all(
-            each in arguments for each in self.objects
-        )
-
-
-def normal(text: str) -> str:
-    """Lower case, contractions spelled out, no marks but those inside words."""
-    plain = text.lower().replace("\u2019", "'").replace("\u2018", "'").strip()
-    for pattern, spelled in _CONTRACTIONS:
-        plain = re.sub(pattern, spelled, plain)
-    plain = re.sub(rf"\b({_ASKING}) not (you|it|the|they|we|i)\b", r"\1 \2 not", plain)
-    plain = re.sub(r"[^\w\s'-]", " ", plain.replace("'s ", " 's "))
-    return " ".join(plain.split())
+        if self.actions and name not in self.actions:
+            return False
+        goal = dict(self.goals).get(name)
+        if goal is not None and self.objects and self.actions:
+            # Who asks for a move to line 3 does not ask for one away from there.
+            return arguments[goal] in self.objects and set(self.objects) <= set(arguments)
+        return all(each in arguments for each in self.objects)
 
 
 def referents_of(plain: str, lexicon: Lexicon) -> Referents:
@@ -143,7 +116,21 @@ def referents_of(plain: str, lexicon: Lexicon) -> Referents:
     predicates = index.predicates_in(plain, lemmas)
     speaks_to_me = bool({"you", "your", "yourself", "robot"} & set(plain.split()))
     atoms = tuple(index.atoms_for(predicates, objects, speaks_to_me=speaks_to_me))
-    return Referents(objects, kinds, predicates, actions, atoms, index.verbs)
+    visits: tuple[GroundAtom, ...] = ()
+    if MOTION & set(lemmas.values()) or re.search(r"\b(?:been|was|were|went|away|out)\b", plain):
+        visits = tuple(index.visits(objects))
+        if not set(objects) <= {name for atom in visits for name in atom.split()}:
+            visits = ()  # Something is named that is no place: it is not about where I am.
+    if not actions and visits and MOTION & set(lemmas.values()):
+        actions = tuple(name for name, _ in index.goals)
+    return Referents(
+        objects, kinds, predicates, actions, atoms, index.verbs, visits, tuple(index.goals)
+    )
+
+
+def first_words(lexicon: Lexicon) -> frozenset[str]:
+    """The words that a name of a thing, or of a kind of things, may begin with."""
+    return _index(lexicon).first_words
 
 
 _INDEXES: dict[int, tuple[Lexicon, _Index]] = {}
@@ -174,9 +161,13 @@ class _Index:
                 if found:
                     self._numbered.setdefault(found[1], {})[found[2]] = name
         self._kinds = self._kind_words()
+        self._verb_forms = self._forms_of_verbs()
         self._actions = tuple(self._action_words())
         self._predicates = tuple(self._predicate_words())
         self.verbs = frozenset(verb for _, verb, _ in self._actions)
+        self.goals = tuple(self._motions())
+        named = {*self._phrases, *self._kinds, *map(plural, self._kinds)}
+        self.first_words = frozenset(words.split()[0] for words in named if words) - self.verbs
         alternatives = sorted(map(re.escape, self._phrases), key=len, reverse=True)
         self._pattern = re.compile(rf"(?<![\w-])(?:{'|'.join(alternatives) or '(?!)'})(?![\w-])")
         heads = sorted(
@@ -191,7 +182,16 @@ class _Index:
         )
 
     def base(self, token: str) -> str:
-        return token if token.isdigit() else lemma(token)
+        """The base form of a word; that of a verb of the domain by its own forms."""
+        return self._verb_forms.get(token) or (token if token.isdigit() else lemma(token))
+
+    def _forms_of_verbs(self) -> dict[str, str]:
+        names = [schema.name for schema in self._problem.domain.actions]
+        phrases = [phrase for name in names for phrase in self._lexicon.action_phrases(name)]
+        verbs = {phrase.lower().split()[0] for phrase in phrases if phrase}
+        inflections = (past, participle, progressive, third_person)
+        forms = {inflect(verb): verb for inflect in inflections for verb in sorted(verbs)}
+        return {**forms, **{verb: verb for verb in verbs}}
 
     # -- objects -------------------------------------------------------------------------------
 
@@ -255,7 +255,9 @@ class _Index:
         said = {
             lemmas[word]
             for index, word in enumerate(words)
-            if index == 0 or words[index - 1] not in ("next", "last", "your", "a", "the", "what")
+            if index == 0
+            or words[index - 1] not in ("next", "last", "your", "a", "the", "what")
+            or words[index - 2 : index] == ["you", "last"]
         } | {word for index, word in enumerate(words) if index and words[index - 1] == "you"}
         present = set(lemmas) | set(lemmas.values())
         scored: dict[str, tuple[int, int]] = {}
@@ -275,6 +277,25 @@ class _Index:
                 if name in scored and verb in said and scored[name] == best[verb]
             )
         )
+
+    def _motions(self) -> Iterator[tuple[str, int]]:
+        """The actions that only take the robot somewhere, and the argument that says where."""
+        for name in dict.fromkeys(schema.name for schema in self._problem.domain.actions):
+            parts = self._lexicon.template(name).parts
+            if len(parts) == 2 and parts[0] == "to" and isinstance(parts[1], int):
+                yield name, parts[1]
+
+    def visits(self, objects: tuple[str, ...]) -> Iterator[GroundAtom]:
+        """That the robot that speaks is at each of some places."""
+        me = self._lexicon.me
+        for predicate, parameters in self._problem.domain.predicates.items():
+            if me is None or len(parameters) != 2:
+                continue
+            whose, where = (self._problem.objects_for(each) for each in parameters)
+            for name in objects:
+                atom = f"{predicate} {me} {name}"
+                if me in whose and name in where and self._lexicon.place_clause(atom):
+                    yield atom
 
     # -- facts ---------------------------------------------------------------------------------
 

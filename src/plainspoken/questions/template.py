@@ -113,6 +113,8 @@ class _Writer:
         self._names = [parameter.name for parameter in schema.parameters]
         self._schema = schema
         self._verb = verb
+        if rest in ("somewhere", "around", "about"):
+            rest = ""  # Where it goes is said by the arguments.
         particle = not rest or rest.split(maxsplit=1)[0] in _PARTICLES
         self._rest = rest if from_landmark or particle else f"the {rest}"
         self._parts: list[str | int] = [self._rest] if rest else []

@@ -1,27 +1,63 @@
-"""The parts of a request in words: what is to be reached, kept, avoided or done."""
+"""The parts of a request in words: what is to be reached, kept, avoided or done.
+
+The robot speaks: what was asked of it as "never enter line 3 while the box is full" is said back as
+"I keep out of line 3 while the box is full".
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
 from plainspoken.logic.english import say
-from plainspoken.logic.formula import Always, And, Atom, Eventually, Formula, Not, Or
+from plainspoken.logic.formula import And, Atom, Constant, Formula, Not, Or
+from plainspoken.logic.pattern import (
+    AtLeast,
+    AtMost,
+    BoundDelay,
+    BoundReaction,
+    DelayedReaction,
+    Exactly,
+    FutureAvoidance,
+    GlobalAvoidance,
+    InstantaneousReaction,
+    Maintenance,
+    OrderedVisit,
+    PastAvoidance,
+    Patrolling,
+    Pattern,
+    PromptPrecedence,
+    PromptReaction,
+    Remaining,
+    SequencedVisit,
+    StrictOrderedVisit,
+    Visit,
+    Wait,
+    negated,
+)
+from plainspoken.logic.recognition import is_boolean, recognised, sequel
+from plainspoken.questions.clause import Tense
 from plainspoken.questions.lexicon import Lexicon
-from plainspoken.questions.morphology import a, listed
+from plainspoken.questions.morphology import a, listed, progressive, times
 from plainspoken.questions.narration import facts_together
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.symbol import ActionSymbol, AtomSymbol, resolve
 
 
 class Aim(StrEnum):
-    """What a part of a request wants of its facts or action."""
+    """What a part of a request wants."""
 
     REACH = "reach"
+    """Facts to be so at some point."""
     KEEP = "keep"
+    """Facts to be so all the time."""
     AVOID = "avoid"
+    """Facts never to be so."""
     DO = "do"
-    NEVER_DO = "never do"
+    """An action at some point."""
+    PROMISE = "promise"
+    """What `bare` says: `call the support robot as soon as the box is full`."""
     OTHER = "other"
 
 
@@ -29,44 +65,234 @@ class Aim(StrEnum):
 class Wish:
     """One part of a request.
 
-    atoms:  the facts it is about, where it is about nothing else
+    atoms:  the facts to be reached, kept or avoided
     action: the symbol of the action it is about
+    bare:   what I am to do, as a verb phrase; "" where the facts say it
     """
 
     aim: Aim
-    formula: Formula
+    said: Pattern | Formula
     atoms: tuple[GroundAtom, ...] = ()
     action: ActionSymbol | None = None
+    bare: str = ""
 
 
-def wish_of(formula: Formula, lexicon: Lexicon) -> Wish:
-    """What a conjunct of the request wants, as far as it is of a simple form."""
-    match formula:
-        case Eventually(Atom() | And() as inner):
-            return _of_atoms(Aim.REACH, Aim.DO, formula, inner, lexicon)
-        case Always(Not(Atom() | Or() as inner)):
-            return _of_atoms(Aim.AVOID, Aim.NEVER_DO, formula, inner, lexicon)
-        case Always(And(operands)) if all(isinstance(each, Not) for each in operands):
-            bare = And(tuple(each.operand for each in operands if isinstance(each, Not)))
-            return _of_atoms(Aim.AVOID, Aim.OTHER, formula, bare, lexicon)
-        case Always(Atom() | And() as inner):
-            return _of_atoms(Aim.KEEP, Aim.OTHER, formula, inner, lexicon)
+def wish_of(said: Pattern | Formula, lexicon: Lexicon) -> Wish:
+    """What a part of the request wants, as far as there are natural words for it."""
+    match said:
+        case Visit((place,)):
+            facts = _facts(place, lexicon)
+            if facts and not are_my_places(facts, lexicon):
+                return Wish(Aim.REACH, said, facts)
+            action = _action(place, lexicon)
+            if action is not None:
+                return Wish(Aim.DO, said, action=action, bare=action_words(action, lexicon))
+            if facts:
+                return Wish(Aim.REACH, said, facts)
+        case Maintenance((kept,)) if facts := _facts(kept, lexicon):
+            return Wish(Aim.KEEP, said, facts)
+        case GlobalAvoidance((avoided,)) if facts := _options(avoided, lexicon):
+            return Wish(Aim.AVOID, said, facts, bare=_keep_out(facts, lexicon))
         case _:
-            return Wish(Aim.OTHER, formula)
+            pass
+    try:
+        bare = _Phrases(lexicon).bare(said)
+    except _NoWords:
+        return Wish(Aim.OTHER, said)
+    return Wish(Aim.PROMISE, said, bare=bare)
 
 
-def _of_atoms(
-    aim: Aim, deed: Aim, formula: Formula, inner: Atom | And | Or, lexicon: Lexicon
-) -> Wish:
-    parts = (inner,) if isinstance(inner, Atom) else inner.operands
+def _facts(formula: Formula, lexicon: Lexicon) -> tuple[GroundAtom, ...]:
+    """The atoms that a formula is a conjunction of; none where it is anything else."""
+    parts = formula.operands if isinstance(formula, And) else (formula,)
+    return _atoms(parts, lexicon)
+
+
+def _options(formula: Formula, lexicon: Lexicon) -> tuple[GroundAtom, ...]:
+    """The atoms that a formula is a disjunction of: none of them is to be."""
+    parts = formula.operands if isinstance(formula, Or) else (formula,)
+    return _atoms(parts, lexicon)
+
+
+def _atoms(parts: Sequence[Formula], lexicon: Lexicon) -> tuple[GroundAtom, ...]:
     symbols = [resolve(p.name, lexicon.problem) for p in parts if isinstance(p, Atom)]
-    if len(symbols) == len(parts):
-        facts = tuple(symbol.atom for symbol in symbols if isinstance(symbol, AtomSymbol))
-        if len(facts) == len(symbols):
-            return Wish(aim, formula, facts)
-        if len(symbols) == 1 and isinstance(symbols[0], ActionSymbol) and deed is not Aim.OTHER:
-            return Wish(deed, formula, action=symbols[0])
-    return Wish(Aim.OTHER, formula)
+    facts = tuple(symbol.atom for symbol in symbols if isinstance(symbol, AtomSymbol))
+    return facts if len(facts) == len(parts) else ()
+
+
+def _action(formula: Formula, lexicon: Lexicon) -> ActionSymbol | None:
+    if isinstance(formula, Atom):
+        symbol = resolve(formula.name, lexicon.problem)
+        return symbol if isinstance(symbol, ActionSymbol) else None
+    return None
+
+
+def are_my_places(facts: Sequence[GroundAtom], lexicon: Lexicon) -> bool:
+    """Whether facts say where the robot that speaks is, all of them."""
+    return bool(facts) and all(
+        lexicon.clause(atom).subject == "I" and lexicon.place_clause(atom) for atom in facts
+    )
+
+
+def _keep_out(facts: Sequence[GroundAtom], lexicon: Lexicon) -> str:
+    """`keep out of line 3`, where the facts are all about where the robot is."""
+    if not are_my_places(facts, lexicon):
+        return ""
+    return f"keep out of {listed([lexicon.object_words(atom.split()[-1]) for atom in facts])}"
+
+
+_SEE = "see to it that"
+
+
+class _NoWords(Exception):
+    """There are no natural words for a formula."""
+
+
+class _Phrases:
+    """Patterns as verb phrases behind `I`."""
+
+    def __init__(self, lexicon: Lexicon) -> None:
+        self._lexicon = lexicon
+
+    def bare(self, said: Pattern | Formula) -> str:
+        """`go to line 1, then call the support robot`."""
+        match said:
+            case Visit(places):
+                return listed([self.do(place) for place in places])
+            case SequencedVisit(places):
+                return self._then(places)
+            case OrderedVisit(places) | StrictOrderedVisit(places):
+                return f"{self._then(places)}, in this order"
+            case Patrolling(places):
+                return f"{listed([self.do(place) for place in places])} again and again"
+            case Maintenance(kept):
+                return f"see to it that {listed([self.that(each) for each in kept])} all the time"
+            case Remaining(kept):
+                return f"see to it that {listed([self.that(e) for e in kept])} for good in the end"
+            case GlobalAvoidance(avoided):
+                return listed([self.avoid(each) for each in avoided])
+            case AtLeast(place, number):
+                return f"{self.do(place)} at least {times(number)}"
+            case AtMost(place, number):
+                return f"{self.do(place)} {times(number)} at most"
+            case Exactly(place, number):
+                return f"{self.do(place)} exactly {times(number)}"
+            case Or(options) if not is_boolean(said):
+                return "either " + listed([self._option(each) for each in options], "or")
+            case PastAvoidance() | FutureAvoidance() | Wait() | InstantaneousReaction():
+                return self._within(said)
+            case (
+                DelayedReaction()
+                | PromptReaction()
+                | PromptPrecedence()
+                | BoundReaction()
+                | BoundDelay()
+            ):
+                return self._reaction(said)
+            case _:
+                raise _NoWords
+
+    def _option(self, formula: Formula) -> str:
+        found = recognised(formula)
+        return listed([self.bare(each) for each in found])
+
+    def _then(self, places: Sequence[Formula]) -> str:
+        return ", then ".join(self.do(place) for place in places)
+
+    def _within(self, said: PastAvoidance | FutureAvoidance | Wait | InstantaneousReaction) -> str:
+        match said:
+            case PastAvoidance(avoided, until):
+                if action := _action(avoided, self._lexicon):
+                    verb, _, rest = action_words(action, self._lexicon).partition(" ")
+                    doing = f"{progressive(verb)} {rest}".strip()
+                    return f"wait until {self.that(until)} before {doing}"
+                return f"{self.avoid(avoided)} until {self.that(until)}"
+            case FutureAvoidance(after, avoided):
+                return f"{self.avoid(avoided)} once {self.that(after)}"
+            case Wait(kept, until):
+                return f"{self._stay(kept)} until {self.that(until)}"
+            case InstantaneousReaction(trigger, Not(avoided)) if not _facts(
+                avoided, self._lexicon
+            ) or _keep_out(_facts(avoided, self._lexicon), self._lexicon):
+                return f"{self.avoid(avoided)} while {self.that(trigger)}"
+            case InstantaneousReaction(trigger, response) if self._goes(trigger):
+                return f"{self.do(trigger)} only while {self.that(response)}"
+            case InstantaneousReaction(trigger, response):
+                return f"{self._stay(response)} whenever {self.that(trigger)}"
+
+    def _reaction(
+        self,
+        said: DelayedReaction | PromptReaction | PromptPrecedence | BoundReaction | BoundDelay,
+    ) -> str:
+        response = self._then(sequel(said.response))
+        trigger = self.that(said.trigger)
+        if (fact := response.removeprefix(f"{_SEE} ")) != response:
+            word = "as soon as" if isinstance(said, PromptReaction | BoundDelay) else "whenever"
+            late = "sooner or later " if isinstance(said, DelayedReaction) else ""
+            return f"{_SEE}, {word} {trigger}, {late}{fact}"
+        match said:
+            case DelayedReaction():
+                return f"{response}, sooner or later, whenever {trigger}"
+            case PromptReaction():
+                return f"{response} as soon as {trigger}"
+            case PromptPrecedence():
+                return f"{response} only right after the moment when {trigger}"
+            case BoundReaction():
+                return f"{response} exactly while {trigger}"
+            case BoundDelay():
+                return f"{response} as soon as {trigger}, and at no other time"
+
+    # -- operands ------------------------------------------------------------------------------
+
+    def _goes(self, formula: Formula) -> bool:
+        facts = _facts(formula, self._lexicon)
+        return bool(are_my_places(facts, self._lexicon) or _action(formula, self._lexicon))
+
+    def do(self, formula: Formula) -> str:
+        """`go to line 1`, `call the support robot`, `see to it that line 1 is cleared`."""
+        if action := _action(formula, self._lexicon):
+            return action_words(action, self._lexicon)
+        facts = _facts(formula, self._lexicon)
+        if len(facts) == 1 and are_my_places(facts, self._lexicon):
+            return f"go to {self._lexicon.object_words(facts[0].split()[-1])}"
+        if isinstance(formula, Not) and (bare := self._negated(formula.operand)):
+            return bare
+        return f"{_SEE} {self.that(formula)}"
+
+    def _negated(self, operand: Formula) -> str:
+        return self.avoid(operand) if self._goes(operand) else ""
+
+    def _stay(self, formula: Formula) -> str:
+        facts = _facts(formula, self._lexicon)
+        if len(facts) == 1 and are_my_places(facts, self._lexicon):
+            return f"stay {self._lexicon.clause(facts[0]).complement}"
+        return self.do(formula)
+
+    def avoid(self, formula: Formula) -> str:
+        """`keep out of line 3`, `never call the support robot`."""
+        facts = _options(formula, self._lexicon)
+        if facts and (bare := _keep_out(facts, self._lexicon)):
+            return bare
+        if action := _action(formula, self._lexicon):
+            return f"never {action_words(action, self._lexicon)}"
+        return f"never let it be that {self.that(formula)}"
+
+    def that(self, formula: Formula, tense: Tense = "now") -> str:
+        """`the box is full`, `I'm at line 1`, `I call the support robot`."""
+        match formula:
+            case Atom(name) | Not(Atom(name)):
+                negative = isinstance(formula, Not)
+                symbol = resolve(name, self._lexicon.problem)
+                if isinstance(symbol, AtomSymbol):
+                    return self._lexicon.clause(symbol.atom).said(tense, negative=negative)
+                words = action_words(symbol, self._lexicon)
+                return f"I {'do not ' if negative else ''}{words}"
+            case And(operands):
+                return listed([self.that(each, tense) for each in operands])
+            case Or(operands) if all(isinstance(each, Atom | Not) for each in operands):
+                return listed([self.that(each, tense) for each in operands], "or")
+            case Constant() | _:
+                raise _NoWords
 
 
 def action_words(symbol: ActionSymbol, lexicon: Lexicon) -> str:
@@ -94,7 +320,12 @@ def action_words(symbol: ActionSymbol, lexicon: Lexicon) -> str:
 
 
 def wanted(wish: Wish, lexicon: Lexicon) -> str:
-    """The wish after `you want`: `line 1 to be cleared`, `me to keep away from line 3`."""
+    """The wish after `you want`: `line 1 to be cleared`, `me to keep out of line 3`."""
+    if wish.bare:
+        verb = wish.bare
+        return (
+            f"me {verb.replace('never ', 'never to ', 1) if verb[:6] == 'never ' else 'to ' + verb}"
+        )
     facts = listed([_infinitive(lexicon, atom) for atom in wish.atoms])
     merged = facts_together(lexicon, wish.atoms)
     if len(wish.atoms) > 1 and len(merged) == 1 and " are " in merged[0].text:
@@ -106,16 +337,10 @@ def wanted(wish: Wish, lexicon: Lexicon) -> str:
             return facts
         case Aim.KEEP:
             return f"{facts} all the time"
-        case Aim.AVOID if _places(wish, lexicon):
-            return f"me to keep away from {_where(wish, lexicon)}"
         case Aim.AVOID:
             return facts.replace(" to ", " never to ")
-        case Aim.DO if wish.action is not None:
-            return f"me to {action_words(wish.action, lexicon)}"
-        case Aim.NEVER_DO if wish.action is not None:
-            return f"me never to {action_words(wish.action, lexicon)}"
         case _:
-            return f"this: {plain(wish.formula, lexicon)}"
+            return f"this: {plain(wish.said, lexicon)}"
 
 
 def _infinitive(lexicon: Lexicon, atom: GroundAtom) -> str:
@@ -124,36 +349,38 @@ def _infinitive(lexicon: Lexicon, atom: GroundAtom) -> str:
     return f"{subject} to {clause.verb} {clause.complement}".strip()
 
 
-def _where(wish: Wish, lexicon: Lexicon) -> str:
-    return listed([lexicon.clause(atom).complement.split(" ", 1)[-1] for atom in wish.atoms])
+def outcome_words(wish: Wish, lexicon: Lexicon, *, reached: bool) -> str:
+    """A state of things asked for, as reached or as still missing: `the box wasn't full`."""
+    if not isinstance(wish.said, Visit):
+        return ""
+    phrases = _Phrases(lexicon)
+    try:
+        said = [
+            phrases.that(place, "was") if reached else phrases.that(negated(place))
+            for place in wish.said.places
+        ]
+    except _NoWords:
+        return ""
+    return f"{listed(said)} at some point" if reached else listed(said, "or")
 
 
 def standing(wish: Wish, lexicon: Lexicon) -> str:
-    """What has been kept, done or is left of a wish that is not about reaching facts."""
+    """The wish as what I do: `I keep out of line 3`, `the box is never full`."""
+    if wish.bare:
+        return f"I {wish.bare}"
     match wish.aim:
-        case Aim.AVOID if _places(wish, lexicon):
-            return f"keeping away from {_where(wish, lexicon)}"
         case Aim.AVOID:
-            said = [lexicon.clause(atom).said(negative=True) for atom in wish.atoms]
-            return f"that {listed(said)} at any time"
+            return listed([lexicon.clause(atom).said(negative=True) for atom in wish.atoms])
         case Aim.KEEP:
-            said = [lexicon.clause(atom).said() for atom in wish.atoms]
-            return f"that {listed(said)} all the time"
-        case Aim.DO if wish.action is not None:
-            return f"to {action_words(wish.action, lexicon)}"
-        case Aim.NEVER_DO if wish.action is not None:
-            return f"never to {action_words(wish.action, lexicon)}"
+            return f"{listed([lexicon.clause(atom).said() for atom in wish.atoms])} all the time"
         case _:
-            return plain(wish.formula, lexicon)
+            return plain(wish.said, lexicon)
 
 
-def plain(formula: Formula, lexicon: Lexicon) -> str:
-    """A part of no simple form, as the formula's own English has it."""
-    return say(formula, lexicon.landmarks).strip().rstrip(".")
-
-
-def _places(wish: Wish, lexicon: Lexicon) -> bool:
-    """Whether the wish is about where the robot that speaks is."""
-    return bool(wish.atoms) and all(
-        lexicon.clause(atom).subject == "I" and lexicon.place_clause(atom) for atom in wish.atoms
-    )
+def plain(said: Pattern | Formula, lexicon: Lexicon) -> str:
+    """A part that has no words of its own, in the formula's English, quoted as one sentence."""
+    formula = said.executable if isinstance(said, Pattern) else said
+    text = say(formula, lexicon.landmarks).strip().rstrip(".").replace(". ", ", and ")
+    text = text.replace("there is a next step, and in it ", "in the next step ")
+    text = text.replace("if there is a next step, in it ", "in any next step ")
+    return f"“{text.replace('(', '').replace(')', '')}”"
