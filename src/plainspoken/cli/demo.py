@@ -31,8 +31,9 @@ from plainspoken.pipeline import (
 )
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
-from plainspoken.questions.answer import answer
+from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.moment import Moment
 from plainspoken.world.event import ActionStarted, Entry
 
 SENTENCE = (
@@ -44,7 +45,7 @@ ASKED_AT = 5
 """The questions are asked while the robot is at its fifth action."""
 QUESTIONS = (
     "What are you doing now?",
-    "Why are you doing that?",
+    "Why?",
     "What have you done so far?",
     "What will you do next?",
 )
@@ -175,8 +176,10 @@ def _play(
 
 def _ask(questions: Sequence[str], entries: Sequence[Entry], console: Console, title: str) -> None:
     talk = Text()
+    moment, dialogue = Moment(entries), Dialogue()
     for question in questions:
+        answer, dialogue = dialogue.ask(question, moment)
         talk.append(f"{question}\n", style="bold")
-        talk.append(f"  {answer(question, entries).text}\n")
+        talk.append(f"  {answer.text}\n")
     talk.rstrip()
     console.print(Panel(talk, title=title, title_align="left", style="cyan"))

@@ -31,6 +31,8 @@ from plainspoken.world.event import (
 ROWS = 14
 """Rows of the live table; older ones scroll out of it."""
 
+UNDER_WAY = "bold"
+
 
 @dataclass(frozen=True, slots=True)
 class Row:
@@ -62,9 +64,9 @@ class Scoreboard:
         return Group(self._table(self._rows[-ROWS:]), self._progress)
 
     def news(self) -> Table:
-        """All rows since this was last asked for."""
+        """All rows since this was last asked for; one that goes on is told again when it is over."""
         table = self._table(self._rows[self._printed :])
-        self._printed = len(self._rows)
+        self._printed = len(self._rows) - (self._rows[-1].style == UNDER_WAY if self._rows else 0)
         return table
 
     def _table(self, rows: list[Row]) -> Table:
@@ -88,7 +90,7 @@ class Scoreboard:
                 self._advance_bar(document["initial"])
             case ActionStarted(action):
                 doing = self._lexicon.deed(action).doing
-                self._rows.append(Row("", f"{doing} ...", "", "bold"))
+                self._rows.append(Row("", f"{doing} ...", "", UNDER_WAY))
             case ActionFinished(action, _, state, node):
                 self._rows[-1] = Row(
                     str(entry.instant), self._lexicon.deed(action).doing, self._news(state)
