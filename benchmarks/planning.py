@@ -1,10 +1,15 @@
 """Every row of the planning benchmarks, each in a process of its own with a limit on CPU time.
 
     python benchmarks/planning.py COLLECTION [--limit S] [--only TEXT] [--out CSV] [--svg SVG]
+                                  [--markdown] [--warm]
 
 COLLECTION holds `fond/<domain>/<problem>.pddl` and `ltlf/`, each with a `baseline.csv` of what
-other planners took. Each policy is checked by `planning.validation`, outside the measured time.
-The CPU time is that of the whole process: start, imports, parsing, search and writing the policy.
+other planners took. Each row is a run of `plainspoken plan --out`, and its CPU time that of the
+whole process: start, imports, parsing, search, validation and writing the policy. The policy that
+was written is checked once more, outside the measured time.
+
+With --warm: nothing but the rows that a baseline takes less than a second for, solved some times
+in this process; the median without the first round.
 """
 
 from __future__ import annotations
@@ -19,11 +24,20 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from dataclasses import asdict, dataclass
 from math import log10
 from pathlib import Path
 
-SOLVE, CHECK = "solve", "check"
+from plainspoken.logic.formula import Formula
+from plainspoken.logic.syntax import parse
+from plainspoken.planning.goal import problem_goal
+from plainspoken.planning.policy import read_policy
+from plainspoken.planning.solver import solve
+from plainspoken.planning.validation import Valid, validate
+from plainspoken.world.domain import Problem
+from plainspoken.world.pddl import read_domain, read_problem
+
 Baselines = dict[str, dict[str, tuple[str, float]]]
 """Status and CPU seconds of other planners, by row and planner."""
 
@@ -92,14 +106,16 @@ def baselines(collection: Path) -> Baselines:
 
 
 def run(row: Row, limit: int) -> Run:
-    """Solve a row in a process with a CPU limit, and check its policy in another."""
+    """Solve a row by the command line under a CPU limit, and have its policy checked."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "policy.json"
-        arguments = [str(row.domain), str(row.problem), row.formula or "", str(out)]
+        site = ["--domain", str(row.domain), "--problem", str(row.problem)]
+        goal = ["--goal", row.formula] if row.formula else []
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         finished = subprocess.run(
-            [sys.executable, __file__, "--step", SOLVE, *arguments],
+            [sys.executable, "-m", "plainspoken", "plan", *site, *goal, "--out", str(out)],
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1)),
+            stdout=subprocess.DEVNULL,
             stderr=None if os.environ.get("SHOW") else subprocess.DEVNULL,
             check=False,
         )
@@ -113,7 +129,8 @@ def run(row: Row, limit: int) -> Run:
         if policy["status"] != "solved":
             return Run(row.name, policy["status"], cpu, 0, policy["reason"])
         checked = subprocess.run(
-            [sys.executable, __file__, "--step", CHECK, *arguments],
+            [sys.executable, __file__, "--check", *map(str, (row.domain, row.problem, out))],
+            input=row.formula or "",
             capture_output=True,
             text=True,
             check=False,
@@ -121,57 +138,81 @@ def run(row: Row, limit: int) -> Run:
         return Run(row.name, "solved", cpu, len(policy["nodes"]), checked)
 
 
-def step(kind: str, domain_file: str, problem_file: str, formula: str, out: str) -> None:
-    """What the processes do."""
-    from plainspoken.logic.syntax import parse
-    from plainspoken.planning.goal import problem_goal
-    from plainspoken.world.pddl import read_domain, read_problem
+def goal_of(problem: Problem, formula: str | None) -> Formula:
+    return parse(formula) if formula else problem_goal(problem)
 
+
+def check(domain_file: str, problem_file: str, policy_file: str) -> None:
+    """What the checking process does; the formula stands in its input."""
     problem = read_problem(problem_file, read_domain(domain_file))
-    goal = parse(formula) if formula else problem_goal(problem)
-    if kind == CHECK:
-        from plainspoken.planning.policy import read_policy
-        from plainspoken.planning.validation import Valid, validate
-
-        verdict = validate(problem, goal, read_policy(out))
-        print("valid" if isinstance(verdict, Valid) else f"INVALID: {verdict.reason}")
-        return
-    from plainspoken.planning.solver import Solved, Unsolvable, solve
-
-    ending = solve(problem, goal)
-    if isinstance(ending, Solved):
-        document = ending.policy.to_json()
-    else:
-        reason = ending.reason.sentence if isinstance(ending, Unsolvable) else ending.sentence
-        document = {"status": "unsolvable", "reason": reason}
-    Path(out + ".part").write_text(json.dumps(document))
-    Path(out + ".part").rename(out)
+    verdict = validate(problem, goal_of(problem, sys.stdin.read()), read_policy(policy_file))
+    print("valid" if isinstance(verdict, Valid) else f"INVALID: {verdict.reason}")
 
 
-def table(runs: list[Run], known: Baselines) -> str:
+def warm_milliseconds(row: Row, rounds: int = 7) -> tuple[float, float]:
+    """The median of some rounds in this process: to solve, and to read the files and solve."""
+    solving, whole = [], []
+    for _ in range(rounds + 1):
+        started = time.perf_counter()
+        problem = read_problem(row.problem, read_domain(row.domain))
+        goal = goal_of(problem, row.formula)
+        read = time.perf_counter()
+        solve(problem, goal)
+        ended = time.perf_counter()
+        solving.append(1000 * (ended - read))
+        whole.append(1000 * (ended - started))
+    # The first round imports and fills caches.
+    return statistics.median(solving[1:]), statistics.median(whole[1:])
+
+
+def warm_table(rows: list[Row], known: Baselines) -> str:
+    """Warm times of the rows that take some baseline less than a second."""
+    lines = [f"{'row':28} {'baseline s':>10} {'solve ms':>9} {'read + solve ms':>16}"]
+    for row in rows:
+        spent = [cpu for status, cpu in known.get(row.name, {}).values() if status == "solved"]
+        if spent and min(spent) < 1:
+            solving, whole = warm_milliseconds(row)
+            lines.append(f"{row.name:28} {min(spent):10.2f} {solving:9.1f} {whole:16.1f}")
+    return "\n".join(lines)
+
+
+def table(runs: list[Run], known: Baselines, *, markdown: bool) -> str:
     """The rows beside the baselines, and the totals."""
-    planners = ("prp", "pal", "fond4ltlf")
-    lines = [
-        f"{'row':28} {'status':12} {'cpu s':>7} {'nodes':>7}  "
-        + "  ".join(f"{p:>9}" for p in planners)
-    ]
+    planners = {"prp": "PRP", "pal": "Paladinus", "fond4ltlf": "FOND4LTLf+PRP"}
+    rows = [["row", "status", "CPU s", "nodes", *planners.values()]]
     for each in runs:
         shown = []
         for planner in planners:
             status, cpu = known.get(each.name, {}).get(planner, ("", 0.0))
-            shown.append(f"{cpu:9.2f}" if status == "solved" else f"{'-' if status else '':>9}")
-        note = "" if each.checked in ("", "valid") else f"  {each.checked[:90]}"
-        lines.append(
-            f"{each.name:28} {each.status:12} {each.cpu:7.2f} {each.nodes:7}  "
-            + "  ".join(shown)
-            + note
-        )
+            shown.append(f"{cpu:.2f}" if status == "solved" else "-" if status else "")
+        status = each.status if each.checked in ("", "valid") else f"{each.status} (!)"
+        if each.status == "unsolvable":
+            status = "unsolvable, proven"
+        rows.append([each.name, status, f"{each.cpu:.2f}", str(each.nodes or ""), *shown])
+    if markdown:
+        rows.insert(1, ["---"] * len(rows[0]))
+        lines = [f"| {' | '.join(row)} |" for row in rows]
+    else:
+        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+        lines = [
+            "  ".join(
+                cell.ljust(width) if i < 2 else cell.rjust(width)
+                for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+            )
+            for row in rows
+        ]
+    return "\n".join([*lines, "", *totals(runs, known)])
+
+
+def totals(runs: list[Run], known: Baselines) -> list[str]:
+    """A sentence for each acceptance figure."""
+    lines = [f"{each.name}: {each.checked}" for each in runs if each.checked not in ("", "valid")]
     for title, chosen in (("FOND", False), ("LTLf", True)):
         part = [r for r in runs if r.name.startswith("ltlf/") == chosen]
         solved = sum(r.status == "solved" and r.checked == "valid" for r in part)
         no = sum(r.status == "unsolvable" for r in part)
-        totals = f"{solved} solved with a checked policy, {no} proven unsolvable"
-        lines.append(f"{title}: {totals}, of {len(part)}")
+        found = f"{solved} solved with a checked policy, {no} proven unsolvable"
+        lines.append(f"{title}: {found}, of {len(part)}")
     ratios = [
         r.cpu / known[r.name]["prp"][1]
         for r in runs
@@ -183,7 +224,7 @@ def table(runs: list[Run], known: Baselines) -> str:
         )
     slowest = max((r.cpu for r in runs if r.name.startswith("ltlf/")), default=0)
     lines.append(f"slowest LTLf row: {slowest:.2f} s")
-    return "\n".join(lines)
+    return lines
 
 
 def coverage_svg(runs: list[Run], known: Baselines, limit: float) -> str:
@@ -232,8 +273,8 @@ def _text(x: float, y: float, text: str, anchor: str) -> str:
 
 
 def main() -> None:
-    if sys.argv[1:2] == ["--step"]:
-        step(*sys.argv[2:7])
+    if sys.argv[1:2] == ["--check"]:
+        check(*sys.argv[2:5])
         return
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("collection", type=Path)
@@ -241,14 +282,23 @@ def main() -> None:
     parser.add_argument("--only", default="", help="rows whose name has one of these, by commas")
     parser.add_argument("--out", type=Path)
     parser.add_argument("--svg", type=Path)
+    parser.add_argument("--markdown", action="store_true", help="a table for docs/results.md")
+    parser.add_argument("--warm", action="store_true", help="only warm times, in this process")
     chosen = parser.parse_args()
     known = baselines(chosen.collection)
+    rows = [
+        row
+        for row in rows_of(chosen.collection)
+        if any(text in row.name for text in chosen.only.split(","))
+    ]
+    if chosen.warm:
+        print(warm_table(rows, known))
+        return
     runs = []
-    for row in rows_of(chosen.collection):
-        if any(text in row.name for text in chosen.only.split(",")):
-            runs.append(run(row, chosen.limit))
-            print(runs[-1], file=sys.stderr, flush=True)
-    print(table(runs, known))
+    for row in rows:
+        runs.append(run(row, chosen.limit))
+        print(runs[-1], file=sys.stderr, flush=True)
+    print(table(runs, known, markdown=chosen.markdown))
     if chosen.out:
         with chosen.out.open("w", newline="") as file:
             writer = csv.DictWriter(file, list(asdict(runs[0])))

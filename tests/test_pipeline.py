@@ -103,7 +103,7 @@ def test_every_pattern_is_understood_planned_run_and_satisfied(pattern: str, see
 def test_an_impossible_mission_is_refused_with_what_is_in_the_way(goal: str, named: str) -> None:
     ending = find_policy(vineyard().problem, parse(goal))
     assert isinstance(ending, Unsolvable)
-    assert named in ending.reason.sentence
+    assert named in ending.reason.said()
 
 
 def test_a_mission_goes_on_from_its_log_alone() -> None:

@@ -12,30 +12,23 @@ arguments; nothing here knows a vendor.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.language.extraction import Extraction, extract
-from plainspoken.language.grounding import Vocabulary
-from plainspoken.logic.english import say
 from plainspoken.logic.formula import Formula
-from plainspoken.mission.executive import accept, advance
-from plainspoken.mission.mission import Mission, MissionId, acceptance, mission_from
-from plainspoken.mission.observation import ResumeAsked
-from plainspoken.mission.robot import Robot
-from plainspoken.mission.run import Record, Replanner, Requests, run_mission
 from plainspoken.planning.policy import Policy
+from plainspoken.planning.reason import Words
 from plainspoken.planning.solver import Ending, OutOfTime, Solved, Unsolvable, solve
 from plainspoken.planning.validation import Invalid, validate
 from plainspoken.planning.watch import Progress
-from plainspoken.world.derivation import derived_landmarks
 from plainspoken.world.document import read_text
-from plainspoken.world.domain import Problem, State
+from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.event import Entry, MissionAccepted
 from plainspoken.world.landmark import (
     Landmarks,
@@ -44,6 +37,15 @@ from plainspoken.world.landmark import (
     read_landmarks,
 )
 from plainspoken.world.pddl import parse_domain, parse_problem
+from plainspoken.world.symbol import ActionSymbol
+
+# What a stage needs is imported in it: planning for a formula does not pay for the language.
+if TYPE_CHECKING:
+    from plainspoken.language.extraction import Extraction
+    from plainspoken.language.grounding import Vocabulary
+    from plainspoken.mission.mission import Mission, MissionId
+    from plainspoken.mission.robot import Robot
+    from plainspoken.mission.run import Record, Replanner, Requests
 
 
 @dataclass(frozen=True)
@@ -58,16 +60,22 @@ class Site:
     @cached_property
     def landmarks(self) -> Landmarks:
         """Those of the landmarks file, or else derived from the names in the problem."""
+        from plainspoken.world.derivation import derived_landmarks
+
         if self.given_landmarks is not None:
             return self.given_landmarks
         return derived_landmarks(self.problem)
 
     @cached_property
     def vocabulary(self) -> Vocabulary:
+        from plainspoken.language.grounding import Vocabulary
+
         return Vocabulary.of(self.landmarks)
 
     def in_words(self, formula: Formula) -> str:
         """A formula said in the site's words."""
+        from plainspoken.logic.english import say
+
         return say(formula, self.landmarks)
 
 
@@ -105,6 +113,8 @@ def open_site(domain: Path, problem: Path, landmarks: Path | None = None) -> Sit
 
 def understand(utterance: str, site: Site) -> Extraction:
     """Turn a sentence into a formula, a question back, or a reason to refuse it."""
+    from plainspoken.language.extraction import extract
+
     return extract(utterance, site.vocabulary)
 
 
@@ -113,14 +123,18 @@ def find_policy(
     goal: Formula,
     *,
     strong: bool = False,
+    lucky: bool = False,
     timeout: float | None = None,
     on_progress: Callable[[Progress], None] | None = None,
 ) -> Ending:
     """Find a policy, and have it validated by code that shares nothing with the search.
 
+    lucky: where there is none, one that works only with luck (its kind is `weak`)
     raises UnknownSymbolError: when the goal names what the problem does not have
     """
-    ending = solve(problem, goal, strong=strong, timeout=timeout, on_progress=on_progress)
+    ending = solve(
+        problem, goal, strong=strong, lucky=lucky, timeout=timeout, on_progress=on_progress
+    )
     if isinstance(ending, Solved):
         verdict = validate(problem, goal, ending.policy)
         if isinstance(verdict, Invalid):
@@ -141,6 +155,10 @@ def carry_out(
     requests: Requests = lambda: None,
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out; gives each entry of its log once it is stored."""
+    from plainspoken.mission.executive import accept
+    from plainspoken.mission.mission import acceptance
+    from plainspoken.mission.run import run_mission
+
     accepted = acceptance(
         request.mission,
         site.problem,
@@ -166,6 +184,11 @@ def go_on(
     requests: Requests = lambda: None,
 ) -> Generator[Entry, None, Mission]:
     """Go on with a mission that was paused or killed, from its log alone."""
+    from plainspoken.mission.executive import advance
+    from plainspoken.mission.mission import mission_from
+    from plainspoken.mission.observation import ResumeAsked
+    from plainspoken.mission.run import run_mission
+
     start = advance(mission_from(entries), ResumeAsked(by))
     return run_mission(start, robot, record, replanner(site), requests=requests)
 
@@ -183,9 +206,29 @@ def site_of(accepted: MissionAccepted) -> Site:
     return Site(problem, accepted.domain, accepted.problem, words)
 
 
-def why_not(ending: Unsolvable | OutOfTime) -> str:
-    """Why there is no policy."""
-    return ending.sentence if isinstance(ending, OutOfTime) else ending.reason.sentence
+def why_not(ending: Unsolvable | OutOfTime, site: Site) -> str:
+    """Why there is no policy, in the site's words."""
+    return ending.sentence if isinstance(ending, OutOfTime) else ending.reason.said(words_of(site))
+
+
+def words_of(site: Site) -> Words:
+    """How a site says formulas, facts and actions, with the robot as `I`."""
+    from plainspoken.questions.lexicon import Lexicon
+    from plainspoken.questions.wish import action_words
+
+    lexicon = Lexicon(site.problem, site.landmarks)
+
+    def said(formula: Formula) -> str:
+        text = re.sub(r"\b[Yy]ou are\b", "I am", site.in_words(formula))
+        return re.sub(r"\byour\b", "my", re.sub(r"\b[Yy]ou\b", "I", text))
+
+    def deed(action: GroundAction) -> str:
+        name, *arguments = action.split()
+        if len(arguments) < len(site.problem.action(name)[0].parameters):
+            return action_words(ActionSymbol(action, name, tuple(arguments)), lexicon)
+        return lexicon.deed(action).bare
+
+    return Words(said, lambda atom: lexicon.clause(atom).said(), deed)
 
 
 def replanner(site: Site) -> Replanner:
@@ -196,6 +239,6 @@ def replanner(site: Site) -> Replanner:
         ending = find_policy(here, remaining)
         if isinstance(ending, Solved):
             return ending.policy
-        return why_not(ending)
+        return why_not(ending, site)
 
     return plan

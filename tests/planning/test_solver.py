@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ from plainspoken.planning.goal import problem_goal
 from plainspoken.planning.solver import OutOfTime, Solved, Unsolvable, solve
 from plainspoken.planning.validation import Valid, validate
 from plainspoken.world.domain import Problem
-from plainspoken.world.pddl import read_domain, read_problem
+from plainspoken.world.pddl import parse_domain, parse_problem, read_domain, read_problem
 
 VINEYARD = Path(__file__).resolve().parents[2] / "examples" / "vineyard"
 relaxed = settings(max_examples=300, suppress_health_check=[HealthCheck.too_slow])
@@ -40,7 +41,7 @@ def test_the_solver_says_what_the_fixpoint_says_and_its_policies_are_valid(
         assert isinstance(validate(problem, goal, ending.policy), Valid)
     else:
         assert isinstance(ending, Unsolvable)
-        assert ending.reason.sentence
+        assert ending.reason.said()
 
 
 @settings(max_examples=100)
@@ -89,3 +90,23 @@ def test_a_solver_without_time_says_how_far_it_got(vineyard: Problem) -> None:
     ending = solve(vineyard, parse("F cleared_l2"), timeout=0)
     assert isinstance(ending, OutOfTime)
     assert ending.stage in ending.sentence
+
+
+def test_the_time_bounds_grounding_too() -> None:
+    names = " ".join(f"o{i}" for i in range(400))
+    domain = parse_domain(
+        "(define (domain d) (:predicates (p ?x) (q ?x ?y ?z)) (:action a :parameters (?x ?y ?z)"
+        " :precondition (and (p ?x) (p ?y) (p ?z)) :effect (q ?x ?y ?z)))",
+        "d",
+    )
+    true = " ".join(f"(p o{i})" for i in range(400))
+    problem = parse_problem(
+        f"(define (problem p) (:domain d) (:objects {names}) (:init {true}) (:goal (q o1 o2 o3)))",
+        domain,
+        "p",
+    )
+    started = time.monotonic()
+    ending = solve(problem, problem_goal(problem), timeout=0.3)
+    assert isinstance(ending, OutOfTime)
+    assert ending.stage == "ground"
+    assert time.monotonic() - started < 5

@@ -27,7 +27,8 @@ def check(domain: Path, problem: Path, goal: str | None, policy: Path, *, as_jso
 
     Shares no code with the solver but the parser. A policy is valid when every action is
     applicable, every outcome is covered and none is invented, the end can be reached from
-    everywhere, and the goal is true on every way to stop. Exit status 3 where it is not.
+    everywhere, and the goal is true on every way to stop. Exit status 3 where it is not. A weak
+    policy (plan --lucky) need not cover the outcomes that it names as its gaps.
 
     \b
     plainspoken plan  -d domain.pddl -p problem.pddl -g "F done" --out policy.json
@@ -42,9 +43,15 @@ def check(domain: Path, problem: Path, goal: str | None, policy: Path, *, as_jso
     node = verdict.node if isinstance(verdict, Invalid) else None
     if as_json:
         document = {"valid": reason is None, "reason": reason, "node": node}
+        document.update(kind=checked.kind, gaps=len(checked.gaps))
         click.echo(json.dumps({**document, "nodes": len(checked.nodes)}, indent=2))
     elif reason is None:
         click.echo(f"valid: {len(checked.nodes)} nodes, {checked.kind}")
+        if checked.kind == "weak":
+            click.echo(
+                f"  it reaches the goal if none of {len(checked.gaps)} outcomes happens that it "
+                f"has no answer to; it is no guarantee"
+            )
     else:
         click.echo(f"not valid: {reason}" + ("" if node is None else f" (node {node})"))
     if reason is not None:

@@ -25,6 +25,7 @@ def export() -> None:
     \b
     plainspoken plan --say "Clear line 2" --out policy.json
     plainspoken export dot policy.json | dot -Tsvg > policy.svg
+    plainspoken export rules policy.json --words
     plainspoken export hoa "G(full_b -> F call_support_executed)"
     plainspoken export pddl --say "Clear line 2" --out-domain d.pddl --out-problem p.pddl
     """
@@ -44,16 +45,22 @@ _words = click.option(
     "--words", is_flag=True, help="In words; for another site than the vineyard give -d and -p."
 )
 
+_compact = click.option(
+    "--compact", is_flag=True, help="One box for all nodes with one rule; see export rules."
+)
+
 
 @export.command()
 @click.argument("policy", type=FILE)
 @_words
+@_compact
 @site_options
 @_out
 def dot(
     policy: Path,
     *,
     words: bool,
+    compact: bool,
     domain: Path | None,
     problem: Path | None,
     landmarks: Path | None,
@@ -61,7 +68,30 @@ def dot(
 ) -> None:
     """POLICY, which plan --out wrote, as a graph in DOT (Graphviz)."""
     action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
-    _written(diagram.dot(read_policy(policy), action=action, atom=atom), out)
+    drawn = diagram.compact if compact else diagram.whole
+    _written(diagram.dot(drawn(read_policy(policy), action=action, atom=atom)), out)
+
+
+@export.command()
+@click.argument("policy", type=FILE)
+@_words
+@_compact
+@site_options
+@_out
+def mermaid(
+    policy: Path,
+    *,
+    words: bool,
+    compact: bool,
+    domain: Path | None,
+    problem: Path | None,
+    landmarks: Path | None,
+    out: Path | None,
+) -> None:
+    """POLICY, which plan --out wrote, as a Mermaid flowchart for Markdown pages."""
+    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
+    drawn = diagram.compact if compact else diagram.whole
+    _written(diagram.mermaid(drawn(read_policy(policy), action=action, atom=atom)), out)
 
 
 @export.command()
@@ -69,7 +99,7 @@ def dot(
 @_words
 @site_options
 @_out
-def mermaid(
+def rules(
     policy: Path,
     *,
     words: bool,
@@ -78,9 +108,9 @@ def mermaid(
     landmarks: Path | None,
     out: Path | None,
 ) -> None:
-    """POLICY, which plan --out wrote, as a Mermaid flowchart for Markdown pages."""
+    """POLICY, which plan --out wrote, as a short list: if these facts hold, then this action."""
     action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
-    _written(diagram.mermaid(read_policy(policy), action=action, atom=atom), out)
+    _written(diagram.rules(read_policy(policy), action=action, atom=atom), out)
 
 
 def _labels(site: Site) -> tuple[diagram.Words, diagram.Words]:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from plainspoken.cli.exit import NO
 from plainspoken.cli.translator import chosen_translator, translator_options
-from plainspoken.language.extraction import Extraction, Status
 from plainspoken.logic.formula import Formula
 from plainspoken.logic.syntax import parse
-from plainspoken.pipeline import Site
 from plainspoken.planning.goal import denotations, problem_goal
+
+if TYPE_CHECKING:
+    from plainspoken.language.extraction import Extraction
+    from plainspoken.pipeline import Site
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -54,6 +56,8 @@ def chosen_goal(goal: str | None, say: str | None, site: Site) -> tuple[Formula,
 
 def no_formula(extraction: Extraction) -> str:
     """Why a sentence gave no formula: the reason, or the question with its choices."""
+    from plainspoken.language.extraction import Status
+
     if extraction.status is Status.REJECT:
         return extraction.reason or "the sentence is not a mission"
     choices = [f"  - {reading.english}" for reading in extraction.alternatives]

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.console import Console
 
 from plainspoken.cli.exit import NO, write_whole
 from plainspoken.cli.goal import chosen_goal, goal_options
@@ -34,6 +33,7 @@ MOST_SHOWN = 40
 @site_options
 @goal_options
 @click.option("--strong", is_flag=True, help="Only a policy without loops will do.")
+@click.option("--lucky", is_flag=True, help="Where there is none, take one that needs luck.")
 @click.option("--timeout", type=click.FloatRange(min=0), metavar="S", help="Seconds, at most.")
 @click.option("--engine", type=click.Choice(["own", "prp"]), default="own", help="Who searches.")
 @click.option("--prp", type=FILE, metavar="PATH", help="The program prp, for --engine prp.")
@@ -51,13 +51,14 @@ def plan(
     prp: Path | None,
     out: Path | None,
     strong: bool,
+    lucky: bool,
     as_json: bool,
 ) -> None:
     """Find a policy that reaches a goal whatever the actions turn out to do.
 
     The policy is strong-cyclic: it comes to the end if no outcome is avoided for ever. With
     --strong it has no loops at all. It is validated before it is handed out. Exit status 3
-    where there is none, with the reason.
+    where there is none, with the reason; with --lucky, a way that works if all turns out well.
 
     \b
     plainspoken plan --say "Clear line 2, but stay out of line 3"
@@ -74,7 +75,12 @@ def plan(
     else:
         with progress_shown() as on_progress:
             ending = find_policy(
-                site.problem, formula, strong=strong, timeout=timeout, on_progress=on_progress
+                site.problem,
+                formula,
+                strong=strong,
+                lucky=lucky,
+                timeout=timeout,
+                on_progress=on_progress,
             )
     document = {**document_of(ending, site), "goal": unparse(formula)}
     seconds = document["seconds"]
@@ -86,6 +92,12 @@ def plan(
         click.echo(text)
     else:
         _print(ending, document, out)
+    if isinstance(ending, Solved) and ending.policy.kind == "weak":
+        count = len(ending.policy.gaps)
+        click.echo(
+            f"warning: this works only with luck: {count} outcomes have no answer (see gaps)",
+            err=True,
+        )
     if not isinstance(ending, Solved):
         sys.exit(NO)
 
@@ -123,10 +135,12 @@ def _found_by_prp(
 @contextmanager
 def progress_shown() -> Iterator[Callable[[Progress], None] | None]:
     """A line on the terminal that says how far a long search is."""
-    console = Console(stderr=True)
-    if not console.is_terminal:
+    if not sys.stderr.isatty():
         yield None
         return
+    from rich.console import Console
+
+    console = Console(stderr=True)
     with console.status("planning ...") as status:
 
         def show(at: Progress) -> None:
@@ -150,6 +164,8 @@ def _print(ending: Ending, document: dict[str, Any], out: Path | None) -> None:
         click.echo("hint: give a longer --timeout, or a smaller goal", err=True)
     else:
         click.echo(f"unsolvable: {document['reason']}")
+        if "way" in document["reason_detail"]:
+            click.echo("hint: --lucky takes the way that needs luck", err=True)
 
 
 def listing(policy: Policy) -> str:

@@ -1,4 +1,4 @@
-"""Policies as diagrams: DOT and Mermaid text.
+"""Policies as diagrams, DOT and Mermaid, and as lists of rules.
 
 A node says what the robot does there; an edge where the world has a choice says what tells that
 outcome from the others.
@@ -6,15 +6,18 @@ outcome from the others.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
+from plainspoken.planning.decision_list import decision_list
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode
 from plainspoken.world.domain import GroundAction, GroundAtom
 
 Words = Callable[[str], str]
 """How to write a ground atom or a ground action."""
 
+MOST_LABELS = 2
+"""Edges between two boxes that differ in more labels than this are drawn as one without any."""
 MOST_CHANGES = 4
 """An edge that would name more changes than this names the first ones and how many follow."""
 
@@ -26,38 +29,109 @@ class Edge:
     label: str
 
 
-def dot(policy: Policy, *, action: Words = str, atom: Words = str) -> str:
+@dataclass(frozen=True, slots=True)
+class Box:
+    """Where something is done. stop: where the policy stops, satisfied."""
+
+    id: NodeId
+    label: str
+    stop: bool
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What a diagram shows of a policy."""
+
+    first: NodeId
+    boxes: tuple[Box, ...]
+    edges: tuple[Edge, ...]
+
+
+def whole(policy: Policy, *, action: Words = str, atom: Words = str) -> Drawing:
+    """A box for each node."""
+    boxes = (Box(node.id, _label(node, action), node.action is None) for node in policy.nodes)
+    return Drawing(policy.initial, tuple(boxes), tuple(edges(policy, atom)))
+
+
+def compact(policy: Policy, *, action: Words = str, atom: Words = str) -> Drawing:
+    """A box for each rule of the policy's decision list, for all the nodes that it decides."""
+    listed = decision_list(policy)
+    places = {id: listed.rule_of(policy.node(id)) for id in listed.memory}
+    boxes = []
+    for place in sorted(set(places.values())):
+        rule = listed.rules[place]
+        deed = "done" if rule.action is None else action(rule.action)
+        facts = _conditions(rule.facts, atom)
+        boxes.append(Box(place, deed + (f" ({facts})" if facts else ""), rule.action is None))
+    labels: dict[tuple[NodeId, NodeId], dict[str, None]] = {}
+    for edge in edges(policy, atom):
+        if edge.source in places:
+            between = places[edge.source], places[edge.target]
+            labels.setdefault(between, {})[edge.label] = None
+    merged = (
+        Edge(*between, " / ".join(found) if len(found) <= MOST_LABELS else "")
+        for between, found in labels.items()
+    )
+    return Drawing(places[policy.initial], tuple(boxes), tuple(merged))
+
+
+def dot(drawing: Drawing) -> str:
     """The policy in the DOT language of Graphviz."""
     lines = [
         "digraph policy {",
         '  node [shape=box, style="rounded,filled", fillcolor="#eef4fb", fontname="Helvetica"];',
         '  edge [fontname="Helvetica", fontsize=10];',
         '  start [shape=circle, label="", width=0.15, fillcolor="#333333"];',
-        f"  start -> n{policy.initial};",
+        f"  start -> n{drawing.first};",
     ]
-    for node in policy.nodes:
-        style = ', shape=doublecircle, fillcolor="#dff0d8"' if node.action is None else ""
-        lines.append(f'  n{node.id} [label="{_escaped(_label(node, action))}"{style}];')
+    for box in drawing.boxes:
+        style = ', shape=doublecircle, fillcolor="#dff0d8"' if box.stop else ""
+        lines.append(f'  n{box.id} [label="{_escaped(box.label)}"{style}];')
     lines += [
         f'  n{edge.source} -> n{edge.target} [label="{_escaped(edge.label)}"];'
-        for edge in edges(policy, atom)
+        for edge in drawing.edges
     ]
     return "\n".join([*lines, "}"]) + "\n"
 
 
-def mermaid(policy: Policy, *, action: Words = str, atom: Words = str) -> str:
+def mermaid(drawing: Drawing) -> str:
     """The policy as a Mermaid flowchart, which code hosts draw inside Markdown."""
-    lines = ["flowchart TD", f"  start(( )) --> n{policy.initial}"]
-    for node in policy.nodes:
-        label = _label(node, action).replace('"', "'")
-        lines.append(
-            f'  n{node.id}((("{label}")))' if node.action is None else f'  n{node.id}("{label}")'
-        )
-    for edge in edges(policy, atom):
+    lines = ["flowchart TD", f"  start(( )) --> n{drawing.first}"]
+    for box in drawing.boxes:
+        label = box.label.replace('"', "'")
+        lines.append(f'  n{box.id}((("{label}")))' if box.stop else f'  n{box.id}("{label}")')
+    for edge in drawing.edges:
         label = edge.label.replace('"', "'")
         arrow = f'-- "{label}" -->' if label else "-->"
         lines.append(f"  n{edge.source} {arrow} n{edge.target}")
     return "\n".join(lines) + "\n"
+
+
+def rules(policy: Policy, *, action: Words = str, atom: Words = str) -> str:
+    """The policy's decision list as text, a rule a line; the first that fits counts."""
+    listed = decision_list(policy)
+    lines = []
+    for number, rule in enumerate(listed.rules, 1):
+        facts = [_conditions(rule.facts, atom)] if rule.facts else []
+        facts += [] if rule.memory is None else [f"the memory is {rule.memory}"]
+        condition = f"if {' and '.join(facts)}" if facts else "otherwise"
+        deed = "stop" if rule.action is None else action(rule.action)
+        lines.append(f"{number:>3}. {condition}: {deed}")
+    if listed.changes:
+        lines.append("The memory is 0 at the start, and changes so (the first that fits counts):")
+    for change in listed.changes:
+        before = _conditions(change.before, atom)
+        after = _conditions(change.after, atom)
+        lines.append(
+            f"  {change.memory} to {change.becomes}, by: {action(change.action)}"
+            + (f", if before it {before}" if before else "")
+            + (f", if after it {after}" if after else "")
+        )
+    return "\n".join(lines) + "\n"
+
+
+def _conditions(facts: Iterable[tuple[GroundAtom, bool]], atom: Words) -> str:
+    return " and ".join(atom(fact) if true else f"not {atom(fact)}" for fact, true in facts)
 
 
 def edges(policy: Policy, atom: Words = str) -> Iterator[Edge]:

@@ -22,6 +22,9 @@ from plainspoken.planning.schema import (
 )
 from plainspoken.world.domain import Problem
 
+ROWS_A_CHECK = 256
+"""So many rows are filled between two looks at the clock."""
+
 
 @dataclass(frozen=True, slots=True)
 class Instance:
@@ -60,12 +63,15 @@ class Grounding:
         return fact in self.constant or fact in self.static
 
 
-def grounded(problem: Problem) -> Grounding:
-    """Find the instances and atoms that are reachable when nothing is ever deleted."""
+def grounded(problem: Problem, check: Callable[[], None] = lambda: None) -> Grounding:
+    """Find the instances and atoms that are reachable when nothing is ever deleted.
+
+    check: called again and again; what it raises ends the grounding
+    """
     changing = problem.changing_predicates
     initial = sorted(tuple(atom.split()) for atom in problem.initial)
     static = frozenset(fact for fact in initial if fact[0] not in changing)
-    joins = _Joins(problem, static, changing)
+    joins = _Joins(problem, static, changing, check)
     for fact in initial:
         if fact[0] not in changing:
             joins.store(fact)
@@ -134,12 +140,20 @@ class _Plan:
 class _Joins:
     """Join plans of all schemas over indexes of the facts seen so far."""
 
-    def __init__(self, problem: Problem, static: frozenset[Fact], changing: frozenset[str]) -> None:
+    def __init__(
+        self,
+        problem: Problem,
+        static: frozenset[Fact],
+        changing: frozenset[str],
+        check: Callable[[], None],
+    ) -> None:
         self._static = static
         self._changing = changing
+        self._check = check
+        self._rows = 0
         self._indexes: dict[str, dict[tuple[int, ...], dict[Fact, list[Fact]]]] = {}
         self._keys: dict[str, list[tuple[tuple[int, ...], dict[Fact, list[Fact]]]]] = {}
-        self.schemas = schemas(problem)
+        self.schemas = schemas(problem, check)
         self._allowed = {
             id(schema): [problem.objects_for(p) for p in schema.action.parameters]
             for schema in self.schemas
@@ -287,6 +301,9 @@ class _Joins:
         seen = None if plan.unique else self._seen.setdefault(id(schema), set())
         for _ in self._extended(plan, 0, row):
             found = tuple(row)
+            self._rows += 1
+            if self._rows % ROWS_A_CHECK == 0:
+                self._check()
             if seen is not None:
                 if found in seen:
                     continue

@@ -13,7 +13,8 @@ from plainspoken.world.document import read_json
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
 
 NodeId = int
-PolicyKind = Literal["strong", "strong-cyclic"]
+PolicyKind = Literal["strong", "strong-cyclic", "weak"]
+"""A weak policy reaches its end with luck: it says nothing for some outcomes, its gaps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,10 +32,19 @@ class PolicyNode:
     successors: tuple[NodeId, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """An outcome that a weak policy has no answer to: the state that it leads to."""
+
+    node: NodeId
+    state: State
+
+
 @dataclass(frozen=True)
 class Policy:
     """A policy as a graph over nodes that are reachable from `initial`.
 
+    gaps:    the outcomes that a weak policy does not cover; other policies have none
     seconds: what planning took, by stage (parse, ground, automaton, search, total)
     """
 
@@ -44,6 +54,7 @@ class Policy:
     static: frozenset[GroundAtom]
     nodes: tuple[PolicyNode, ...]
     seconds: Mapping[str, float] = field(default_factory=dict, compare=False)
+    gaps: tuple[Gap, ...] = ()
 
     @cached_property
     def by_id(self) -> dict[NodeId, PolicyNode]:
@@ -59,6 +70,7 @@ class Policy:
                 yield node, self.by_id[successor]
 
     def to_json(self) -> dict[str, Any]:
+        gaps = [{"node": gap.node, "state": sorted(gap.state)} for gap in self.gaps]
         return {
             "status": "solved",
             "kind": self.kind,
@@ -74,6 +86,7 @@ class Policy:
                 }
                 for node in self.nodes
             ],
+            **({"gaps": gaps} if self.kind == "weak" else {}),
             "seconds": dict(self.seconds),
             "reason": None,
         }
@@ -109,8 +122,8 @@ def policy_from_json(document: object, path: str | Path) -> Policy:
             )
         )
     kind = top.get("kind")
-    if kind not in ("strong", "strong-cyclic"):
-        raise reader.wrong("kind", "'strong' or 'strong-cyclic'", kind)
+    if kind not in ("strong", "strong-cyclic", "weak"):
+        raise reader.wrong("kind", "'strong', 'strong-cyclic' or 'weak'", kind)
     ids = [node.id for node in nodes]
     if len(set(ids)) != len(ids):
         raise InputFileError("two nodes have the same id", path, field="nodes")
@@ -119,7 +132,20 @@ def policy_from_json(document: object, path: str | Path) -> Policy:
         raise InputFileError(f"there is no node {id}", path, field="nodes")
     static = frozenset(reader.texts(top, "static", "")) if "static" in top else frozenset()
     goal = top.get("goal")
-    return Policy(kind, goal if isinstance(goal, str) else "", initial, static, tuple(nodes))
+    gaps = []
+    for index, entry in enumerate(reader.sequence(top, "gaps") if kind == "weak" else ()):
+        place = f"gaps[{index}]"
+        gap = reader.mapping(entry, place)
+        state = frozenset(reader.texts(gap, "state", place))
+        gaps.append(Gap(reader.number(gap, "node", place), state))
+    return Policy(
+        kind,
+        goal if isinstance(goal, str) else "",
+        initial,
+        static,
+        tuple(nodes),
+        gaps=tuple(gaps),
+    )
 
 
 def read_policy(path: str | Path) -> Policy:

@@ -7,7 +7,7 @@ still moves the automata; and the product's first state has read the letter of s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from plainspoken.automata.construction import Automaton, automata_for
@@ -175,14 +175,20 @@ class Product:
         return state & self.rejecting != 0
 
 
-def product_of(problem: Problem, goal: Formula, grounding: Grounding | None = None) -> Product:
+def product_of(
+    problem: Problem,
+    goal: Formula,
+    grounding: Grounding | None = None,
+    check: Callable[[], None] = lambda: None,
+) -> Product:
     """Ground a problem and build its product with the automata of a formula.
 
+    check: called again and again; what it raises ends the building
     raises UnknownSymbolError: when the formula names what the problem does not have
     """
-    grounding = grounding or grounded(problem)
+    grounding = grounding or grounded(problem, check)
     automata = automata_for(simplified(goal, constants_of(grounding, goal)))
-    task = compiled(grounding, goal, read_negatively(automata))
+    task = compiled(grounding, goal, read_negatively(automata), check)
     return Product(task, automata)
 
 

@@ -96,11 +96,16 @@ class Schema:
     outcomes: tuple[tuple[Guarded, ...], ...]
 
 
-def schemas(problem: Problem) -> tuple[Schema, ...]:
-    """The action schemas of a problem, expanded over its objects."""
-    return tuple(
-        _Expansion(problem, action.parameters).schema(action) for action in problem.domain.actions
-    )
+def schemas(problem: Problem, check: Callable[[], None] = lambda: None) -> tuple[Schema, ...]:
+    """The action schemas of a problem, expanded over its objects.
+
+    check: called for every schema; what it raises ends the expansion
+    """
+    found = []
+    for action in problem.domain.actions:
+        check()
+        found.append(_Expansion(problem, action.parameters).schema(action))
+    return tuple(found)
 
 
 def goal_test(condition: Condition, problem: Problem) -> tuple[Test, Row]:

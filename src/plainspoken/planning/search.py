@@ -17,7 +17,7 @@ from plainspoken.planning.rules import Rule, Rules, goal_bits, regressed
 from plainspoken.planning.watch import Watch
 from plainspoken.planning.weak import Exhausted, WeakPlan, WeakSearch
 
-MANY_CLOSED = 3_000
+MANY_CLOSED = 10_000
 """Past so many states with an action, policies are made smaller as they are made."""
 LOCAL_BUDGET = 100
 """Expansions to come back to the way that was planned, before a new plan is made."""

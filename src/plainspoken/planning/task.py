@@ -9,7 +9,7 @@ true afterwards.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from plainspoken.logic.formula import Formula
@@ -172,9 +172,15 @@ def constants_of(grounding: Grounding, goal: Formula) -> dict[SymbolId, bool]:
 
 
 def compiled(
-    grounding: Grounding, goal: Formula, negative: Iterable[SymbolId] | None = None
+    grounding: Grounding,
+    goal: Formula,
+    negative: Iterable[SymbolId] | None = None,
+    check: Callable[[], None] = lambda: None,
 ) -> Task:
-    """Compile what was grounded; see `ground_task`."""
+    """Compile what was grounded; see `ground_task`.
+
+    check: called for every instance; what it raises ends the compilation
+    """
     constants = constants_of(grounding, goal)
     symbols = {
         name: symbol
@@ -200,6 +206,7 @@ def compiled(
         reads[symbol.id] = first_symbol + offset
     by_name: dict[GroundAction, list[Variant]] = {}
     for instance, requirement, tests in variants:
+        check()
         variant = Variant(requirement, compiler.outcomes(instance, tests))
         by_name.setdefault(instance.name, []).append(variant)
     return Task(

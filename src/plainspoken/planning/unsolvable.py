@@ -1,220 +1,195 @@
-"""Why there is no policy, as values with a sentence a person understands."""
+"""Finds out why there is no policy, in terms of the parts of what was asked."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from plainspoken.automata.construction import Automaton, Guard, automata_for
+from plainspoken.automata.construction import Automaton, automata_for
 from plainspoken.logic.formula import Formula, conjuncts
-from plainspoken.logic.syntax import unparse
-from plainspoken.planning.product import Product, ProductState, product_of
-from plainspoken.planning.relaxation import Relaxation
-from plainspoken.planning.search import NoPolicy, strong_cyclic_search
+from plainspoken.logic.pattern import Pattern
+from plainspoken.logic.recognition import recognised
+from plainspoken.planning.culprit import Culprits, contradict, culprits
+from plainspoken.planning.glance import impossible_at_a_glance
+from plainspoken.planning.goal import denoted, simplified
+from plainspoken.planning.grounding import Grounding
+from plainspoken.planning.luck import lucky_plan, lucky_way
+from plainspoken.planning.product import Product, ProductState, product_of, read_negatively
+from plainspoken.planning.reason import (
+    Contradiction,
+    NeverFalse,
+    NeverTrue,
+    NoGuarantee,
+    OnlyByRetrying,
+    Reason,
+    ViolatedAtStart,
+)
+from plainspoken.planning.search import Found, NoPolicy, strong_cyclic_search
 from plainspoken.planning.strong import strong_search
-from plainspoken.planning.watch import Watch
-from plainspoken.planning.weak import WeakPlan, WeakSearch
-from plainspoken.world.domain import GroundAction, GroundAtom
-from plainspoken.world.symbol import SymbolId
+from plainspoken.planning.task import compiled
+from plainspoken.planning.watch import Seconds, Watch
+from plainspoken.planning.weak import Exhausted, WeakPlan
 
-MOST_JOINT_STATES = 5_000
-"""Beyond this many states a contradiction between conjuncts is not looked for."""
-
-
-@dataclass(frozen=True, slots=True)
-class Contradiction:
-    """No trace at all satisfies these conjuncts together."""
-
-    parts: tuple[Formula, ...]
-
-    @property
-    def sentence(self) -> str:
-        if len(self.parts) == 1:
-            return f"nothing that can happen satisfies {unparse(self.parts[0])}"
-        shown = ", ".join(map(unparse, self.parts))
-        return f"these contradict each other, whatever happens: {shown}"
+EXPLAINING: Seconds = 3.0
+"""An explanation takes no longer than this, and no longer than the caller's time allows."""
 
 
-@dataclass(frozen=True, slots=True)
-class ViolatedAtStart:
-    """The initial state alone violates a conjunct for good."""
-
-    part: Formula
-
-    @property
-    def sentence(self) -> str:
-        return f"it is too late for {unparse(self.part)}: the initial state violates it"
-
-
-@dataclass(frozen=True, slots=True)
-class NeverTrue:
-    """The formula would need symbols to become true that never can."""
-
-    symbols: tuple[SymbolId, ...]
-    part: Formula
-
-    @property
-    def sentence(self) -> str:
-        what = " and ".join(self.symbols)
-        return f"{what} can never become true, and {unparse(self.part)} needs it"
+def parts_of(goal: Formula) -> tuple[Formula, ...]:
+    """What a goal asks for, a pattern of several conjuncts being one part."""
+    asked = set(conjuncts(goal))
+    found: list[Formula] = []
+    for each in recognised(goal):
+        if not isinstance(each, Pattern):
+            found.append(each)
+        elif asked.issuperset(conjuncts(each.executable)):
+            found.append(each.executable)
+        else:
+            found.append(each.literal)
+    return tuple(dict.fromkeys(found))
 
 
-@dataclass(frozen=True, slots=True)
-class NeverFalse:
-    """The formula would need symbols to become false that never can."""
-
-    symbols: tuple[SymbolId, ...]
-    part: Formula
-
-    @property
-    def sentence(self) -> str:
-        what = " and ".join(self.symbols)
-        return f"{what} can never become false, and {unparse(self.part)} needs it"
+def is_plainly_impossible(product: Product) -> bool:
+    """Whether there is no policy, as far as that shows without a search."""
+    return impossible_at_a_glance(product)
 
 
-@dataclass(frozen=True, slots=True)
-class PartImpossible:
-    """One conjunct has no policy, even alone."""
+@dataclass
+class Inquiry:
+    """Asks why a product has no policy, which has been proven.
 
-    part: Formula
-
-    @property
-    def sentence(self) -> str:
-        return f"{unparse(self.part)} cannot be guaranteed, even alone"
-
-
-@dataclass(frozen=True, slots=True)
-class NoGuarantee:
-    """Every way can be broken by what happens.
-
-    lucky:  the actions of a way that works with luck; None where not even luck helps
-    action: one of them that may go wrong for good, and `change` what happens then
+    dead: states known to have no policy, where a search has met some
     """
 
-    lucky: tuple[GroundAction, ...] | None
-    action: GroundAction | None = None
-    change: tuple[GroundAtom, ...] = ()
+    product: Product
+    goal: Formula
+    grounding: Grounding
+    strong: bool
+    timeout: Seconds | None
+    dead: frozenset[ProductState] = frozenset()
+    _verdicts: dict[tuple[int, ...], bool | None] = field(default_factory=dict)
 
-    @property
-    def sentence(self) -> str:
-        if self.lucky is None:
-            return "no sequence of actions satisfies the formula, not even with luck"
-        way = ", ".join(self.lucky[:6]) + (", ..." if len(self.lucky) > 6 else "")
-        text = f"no way works whatever happens; with luck this one does: {way}"
-        if self.action is None:
-            return text
-        outcome = ", ".join(self.change) or "nothing changes"
-        return f"{text}; but {self.action} may go wrong for good ({outcome})"
+    def reason(self) -> Reason:
+        if self.product.is_rejected(self.product.initial):
+            return self._at_the_start()
+        self._begin()
+        if self._contradict_in_logic(tuple(range(len(self._parts)))):
+            named = culprits(len(self._parts), self._contradict_in_logic)
+            return Contradiction(self._named(named), named.minimal)
+        # Half of the time is for what is in the way, the rest for what luck could do.
+        named = culprits(len(self._parts), self._impossible)
+        found = self._named(named)
+        if named.minimal and self._contradict_in_logic(named.parts):
+            return Contradiction(found)
+        if self.strong and self._is_cyclic():
+            return OnlyByRetrying(found, named.minimal)
+        return self._with_luck(named)
+
+    def _begin(self) -> None:
+        limit = EXPLAINING if self.timeout is None else min(EXPLAINING, self.timeout)
+        self._watch = Watch(limit)
+        self._half = Watch(limit / 2)
+        self._parts = parts_of(self.goal)
+        constants = self.product.task.constants
+        self._logic = tuple(automata_for(part) for part in self._parts)
+        self._automata = tuple(automata_for(simplified(part, constants)) for part in self._parts)
+        negative = read_negatively([a for automata in self._automata for a in automata])
+        task = self.product.task
+        if any(
+            task.world >> task.reads[name] & 1 and task.reads[name] not in task.complements
+            for name in negative
+        ):
+            task = compiled(self.grounding, self.goal, negative)
+        self._task = task
+
+    def _named(self, found: Culprits) -> tuple[Formula, ...]:
+        return tuple(self._parts[part] for part in found.parts)
+
+    # -- at the start ---------------------------------------------------------------------
+
+    def _at_the_start(self) -> Reason:
+        """One part alone is violated by what is true in the initial state, or never changes."""
+        for part in conjuncts(self.goal):
+            if contradict(automata_for(part)):
+                return Contradiction((part,))
+        constants = self.product.task.constants
+        for part in conjuncts(self.goal):
+            alone = product_of(self.product.task.problem, part, self.grounding)
+            if not alone.is_rejected(alone.initial):
+                continue
+            names = [name for name in alone.task.constants if name in constants]
+            if names and contradict(alone.automata):
+                false = [name for name in names if not constants[name]]
+                problem = self.product.task.problem
+                symbols = tuple(denoted(name, problem) for name in false or names)
+                return NeverTrue(symbols, part) if false else NeverFalse(symbols, part)
+            return ViolatedAtStart(part)
+        return ViolatedAtStart(self.goal)
+
+    # -- what is in the way ---------------------------------------------------------------
+
+    def _together(
+        self, parts: tuple[int, ...], of: tuple[tuple[Automaton, ...], ...]
+    ) -> tuple[Automaton, ...]:
+        return tuple(automaton for part in parts for automaton in of[part])
+
+    def _contradict_in_logic(self, parts: tuple[int, ...]) -> bool | None:
+        return contradict(self._together(parts, self._logic))
+
+    def _product(self, parts: tuple[int, ...]) -> Product:
+        return Product(self._task, self._together(parts, self._automata))
+
+    def _impossible(self, parts: tuple[int, ...]) -> bool | None:
+        """Whether some parts alone have no policy."""
+        if parts not in self._verdicts:
+            self._verdicts[parts] = self._judged(parts)
+        return self._verdicts[parts]
+
+    def _judged(self, parts: tuple[int, ...]) -> bool | None:
+        left = self._half.left
+        if left is not None and left <= 0:
+            return None
+        product = self._product(parts)
+        if impossible_at_a_glance(product):
+            return True
+        watch = Watch(None if left is None else max(left / 3, 0.05))
+        search = strong_search if self.strong else strong_cyclic_search
+        found = search(product, watch)
+        return isinstance(found, NoPolicy) if isinstance(found, (NoPolicy, Found)) else None
+
+    # -- luck -----------------------------------------------------------------------------
+
+    def _is_cyclic(self) -> bool:
+        return not impossible_at_a_glance(self.product) and isinstance(
+            strong_cyclic_search(self.product, self._watch), Found
+        )
+
+    def _with_luck(self, named: Culprits) -> Reason:
+        found = self._named(named)
+        whole = len(found) == len(self._parts)
+        plan = lucky_plan(self.product, self._watch)
+        if isinstance(plan, WeakPlan):
+            way = lucky_way(self.product, plan, self.dead, self._watch)
+            return NoGuarantee(found, named.minimal, whole, lucky=True, way=way)
+        lucky: bool | None = None if plan is None else False
+        if lucky is False and not whole:
+            alone = lucky_plan(self._product(named.parts), self._watch)
+            lucky = None if alone is None else isinstance(alone, WeakPlan)
+        elif lucky is None and not whole:
+            alone = lucky_plan(self._product(named.parts), self._watch)
+            lucky = False if isinstance(alone, Exhausted) else None
+        return NoGuarantee(found, named.minimal, whole, lucky=lucky)
 
 
-Reason = Contradiction | ViolatedAtStart | NeverTrue | NeverFalse | PartImpossible | NoGuarantee
-
-
-def early_reason(product: Product, goal: Formula) -> Reason | None:
-    """A reason that needs no search: from the formula, the initial state, what never changes."""
-    if not product.is_rejected(product.initial):
-        return Contradiction(conjuncts(goal)) if _contradict(product.automata) else None
-    for part in conjuncts(goal):
-        if not _satisfiable(automata_for(part)):
-            return Contradiction((part,))
-    constants = product.task.constants
-    for part in conjuncts(goal):
-        alone = product_of(product.task.problem, part)
-        if not alone.is_rejected(alone.initial):
-            continue
-        names = [name for name in alone.task.constants if name in constants]
-        if names and not _satisfiable(alone.automata):
-            false = tuple(name for name in names if not constants[name])
-            if false:
-                return NeverTrue(false, part)
-            return NeverFalse(tuple(names), part)
-        return ViolatedAtStart(part)
-    return ViolatedAtStart(goal)
-
-
-def late_reason(
+def reason_why_not(
     product: Product,
     goal: Formula,
-    dead: frozenset[ProductState],
+    grounding: Grounding,
     *,
     strong: bool,
-    watch: Watch,
+    timeout: Seconds | None,
+    dead: frozenset[ProductState] = frozenset(),
 ) -> Reason:
-    """A reason for what the search proved: a conjunct alone, or luck and what breaks it."""
-    parts = conjuncts(goal)
-    if len(parts) > 1:
-        for part in parts:
-            if watch.expired():
-                break
-            alone = product_of(product.task.problem, part)
-            ending = strong_search(alone, watch) if strong else strong_cyclic_search(alone, watch)
-            if isinstance(ending, NoPolicy):
-                return PartImpossible(part)
-    hopeless: set[ProductState] = set()
-    search = WeakSearch(
-        product,
-        Relaxation(product),
-        lambda state: product.is_rejected(state) or state in hopeless,
-        hopeless.add,
-        watch,
-        careless=True,
-    )
-    found = search.plan(product.initial, lambda _: False)
-    if not isinstance(found, WeakPlan):
-        return NoGuarantee(None)
-    lucky = tuple(product.actions[step.action].name for _, step in found.path)
-    for state, step in found.path:
-        for after in product.successors(state, step.action):
-            if after in dead or product.is_rejected(after):
-                change = _change(product, state, after)
-                return NoGuarantee(lucky, product.actions[step.action].name, change)
-    return NoGuarantee(lucky)
+    """Why a goal that is proven to have no policy has none.
 
-
-def _change(product: Product, before: ProductState, after: ProductState) -> tuple[str, ...]:
-    old, new = product.task.state(before), product.task.state(after)
-    return (*sorted(new - old), *(f"not {atom}" for atom in sorted(old - new)))
-
-
-def _satisfiable(automata: Sequence[Automaton]) -> bool:
-    return all(a.can_accept(a.initial) for a in automata) and not _contradict(automata)
-
-
-def _contradict(automata: Sequence[Automaton]) -> bool:
-    """Whether automata accept no trace together; False where that is not known."""
-    if len(automata) < 2:
-        return False
-    start = tuple(a.initial for a in automata)
-    seen = {start}
-    todo = [start]
-    while todo:
-        targets = _joint(automata, todo.pop())
-        if targets is None or len(seen) > MOST_JOINT_STATES:
-            return False
-        for after in targets:
-            # Not only where it is new: a first letter may lead back to the start.
-            if all(a.accepts(s) for a, s in zip(automata, after, strict=True)):
-                return False
-            if after not in seen:
-                seen.add(after)
-                todo.append(after)
-    return True
-
-
-def _joint(
-    automata: Sequence[Automaton], states: tuple[int, ...]
-) -> set[tuple[int, ...]] | None:
-    """Where a letter can lead all automata at once; None where there are too many ways."""
-    partial: dict[tuple[frozenset[str], frozenset[str], tuple[int, ...]], None]
-    partial = {(frozenset(), frozenset(), ()): None}
-    for automaton, state in zip(automata, states, strict=True):
-        guards: list[Guard] = [g for g in automaton.guards(state) if automaton.can_accept(g.target)]
-        partial = {
-            (yes | g.positive, no | g.negative, (*after, g.target)): None
-            for yes, no, after in partial
-            for g in guards
-            if not (yes & g.negative or no & g.positive)
-        }
-        if len(partial) > MOST_JOINT_STATES:
-            return None
-    return {after for _, _, after in partial}
+    timeout: what is left of the caller's time
+    """
+    return Inquiry(product, goal, grounding, strong, timeout, dead).reason()

@@ -14,6 +14,9 @@ What a policy has to be:
   reached twice;
 - the formula holds on every trace from the first node to one where it stops.
 
+A weak policy may leave outcomes uncovered, as long as its gaps name each of them: it does what was
+asked only where none of these happens.
+
 Nodes that cannot be reached are not looked at, nor is the text in `policy.goal`: the formula that
 counts is the one that is asked about.
 """
@@ -39,9 +42,10 @@ Visit = tuple[NodeId, Letter]
 
 @dataclass(frozen=True, slots=True)
 class Valid:
-    """The policy does what was asked."""
+    """The policy does what was asked; where `gaps` is not 0, only with luck."""
 
     nodes: int
+    gaps: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +88,13 @@ def validate(problem: Problem, goal: Formula, policy: Policy) -> Valid | Invalid
         if repeated is not None:
             return Invalid("a strong policy may not come back to a node, but here it can", repeated)
     violated = _violated(problem, goal, policy, nodes, reachable)
-    return violated or Valid(len(reachable))
+    return violated or Valid(len(reachable), _gaps(policy, reachable))
+
+
+def _gaps(policy: Policy, reachable: list[PolicyNode]) -> int:
+    """How many outcomes are not covered."""
+    ids = {node.id for node in reachable}
+    return len({(gap.node, gap.state) for gap in policy.gaps if gap.node in ids})
 
 
 def _reachable(nodes: dict[NodeId, PolicyNode], first: PolicyNode) -> list[PolicyNode] | Invalid:
@@ -115,6 +125,11 @@ def _wrong_step(
         if state not in wanted:
             return Invalid(f"{node.action!r} cannot lead to its successor {id}", node.id)
     missing = wanted.difference(given)
+    if policy.kind == "weak":
+        named = {gap.state | policy.static for gap in policy.gaps if gap.node == node.id}
+        if not named <= missing:
+            return Invalid(f"a gap of {node.action!r} is no outcome, or has a successor", node.id)
+        missing -= named
     if missing:
         changes = " or ".join(
             sorted(_difference(node.state | policy.static, state) for state in missing)

@@ -3,9 +3,11 @@
 As in `logic.trace`, the value of a formula at an instant depends on the letter there and on the
 values at the next instant; here all values are the bits of one int.
 """
+# ruff: noqa: ARG005 - rules of all operators are called alike, and most need only a part
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import assert_never
 
 from plainspoken.logic.formula import (
@@ -31,6 +33,9 @@ from plainspoken.logic.trace import Letter
 
 Valuation = int
 """Bit i is set where subformula i holds."""
+Rule = Callable[[Letter, Valuation, Valuation, bool], bool]
+"""The value of a subformula from the letter, the values found so far at this instant, those at the
+next instant (none at the last one), and whether this is the last one."""
 
 
 class Valuations:
@@ -49,6 +54,8 @@ class Valuations:
                     self._kept |= 1 << place
                 case _:
                     pass
+        # Looked up once for each subformula, not at each instant: policies have many thousands.
+        self._rules = [(1 << i, self._rule(part, i)) for i, part in enumerate(self._parts)]
         self._known: dict[tuple[Letter, Valuation | None], Valuation] = {}
 
     def at_the_end(self, letter: Letter) -> Valuation:
@@ -72,49 +79,56 @@ class Valuations:
         known = self._known.get(key)
         if known is None:
             known = 0
-            for place, part in enumerate(self._parts):
-                if self._value(part, place, letter, known, after):
-                    known |= 1 << place
+            later, last = (0, True) if after is None else (after, False)
+            for mask, rule in self._rules:
+                if rule(letter, known, later, last):
+                    known |= mask
             self._known[key] = known
         return known
 
-    def _value(
-        self, part: Formula, place: int, letter: Letter, now: Valuation, after: Valuation | None
-    ) -> bool:
-        def holds(operand: int) -> bool:
-            return now >> self._operands[place][operand] & 1 == 1
-
-        last = after is None
-        # Itself, and its operand, at the next instant.
-        itself = after is not None and after >> place & 1 == 1
+    def _rule(self, part: Formula, place: int) -> Rule:
+        """How the value of one subformula follows; each operand stands before it."""
+        itself = 1 << place
+        operands = self._operands[place]
+        first = 1 << operands[0] if operands else 0
+        second = 1 << operands[1] if len(operands) > 1 else 0
+        every = sum({1 << operand for operand in operands})
         match part:
             case Constant(value):
-                return value
+                return lambda letter, now, after, last: value
             case Atom(name):
-                return name in letter
+                return lambda letter, now, after, last: name in letter
             case Not():
-                return not holds(0)
+                return lambda letter, now, after, last: not now & first
             case And():
-                return all(now >> operand & 1 for operand in self._operands[place])
+                return lambda letter, now, after, last: now & every == every
             case Or():
-                return any(now >> operand & 1 for operand in self._operands[place])
+                return lambda letter, now, after, last: now & every != 0
             case Implies():
-                return not holds(0) or holds(1)
+                return lambda letter, now, after, last: not now & first or now & second != 0
             case Iff():
-                return holds(0) == holds(1)
+                return lambda letter, now, after, last: (not now & first) == (not now & second)
             case Next():
-                return after is not None and after >> self._operands[place][0] & 1 == 1
+                return lambda letter, now, after, last: not last and after & first != 0
             case WeakNext():
-                return after is None or after >> self._operands[place][0] & 1 == 1
+                return lambda letter, now, after, last: last or after & first != 0
             case Eventually():
-                return holds(0) or itself
+                return lambda letter, now, after, last: (now & first | after & itself) != 0
             case Always():
-                return holds(0) and (last or itself)
+                return lambda letter, now, after, last: (
+                    now & first != 0 and (last or after & itself != 0)
+                )
             case Until():
-                return holds(1) or (holds(0) and itself)
+                return lambda letter, now, after, last: (
+                    now & second != 0 or (now & first != 0 and after & itself != 0)
+                )
             case WeakUntil():
-                return holds(1) or (holds(0) and (last or itself))
+                return lambda letter, now, after, last: (
+                    now & second != 0 or (now & first != 0 and (last or after & itself != 0))
+                )
             case Release():
-                return holds(1) and (holds(0) or last or itself)
+                return lambda letter, now, after, last: (
+                    now & second != 0 and (now & first != 0 or last or after & itself != 0)
+                )
             case _:
                 assert_never(part)

@@ -19,6 +19,10 @@ class Progress:
     seconds: Seconds
 
 
+class TimeIsUp(Exception):  # the solver makes an ending of it
+    """Raised by `Watch.check` where a stage has no ending of its own."""
+
+
 @dataclass(slots=True)
 class Watch:
     """Started when it is made. timeout: None for as long as it takes."""
@@ -35,6 +39,16 @@ class Watch:
 
     def expired(self) -> bool:
         return self.timeout is not None and monotonic() - self.started > self.timeout
+
+    def check(self) -> None:
+        """Go on, or raise TimeIsUp."""
+        if self.expired():
+            raise TimeIsUp
+
+    @property
+    def left(self) -> Seconds | None:
+        """Until time is up; None where it never is."""
+        return None if self.timeout is None else max(self.timeout - self.seconds, 0.0)
 
     def progress(self, closed: int, waiting: int, dead: int) -> Progress:
         return Progress(closed, waiting, dead, self.seconds)

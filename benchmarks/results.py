@@ -1,0 +1,95 @@
+"""Puts the tables that the benchmarks print into docs/results.md; see README.md beside this.
+
+    python benchmarks/results.py FOLDER [--limit S]
+
+FOLDER holds planning.md, warm.md, automata.md, unripe.md, ripe.md and unchecked.md, as the
+benchmarks print them; S is the limit that planning.py was run with.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+from pathlib import Path
+
+RESULTS = Path(__file__).resolve().parents[1] / "docs" / "results.md"
+
+PAGE = """\
+# Results
+
+Made by `benchmarks/results.py` from what the scripts in `benchmarks/` print;
+`benchmarks/README.md` says how. Measured on {machine}, shared with other work: CPU seconds,
+where nothing else is said.
+
+## Planning beside other planners
+
+Each row is one process of `plainspoken plan --out` with a limit of {limit} s: start, parsing,
+grounding, search, validation and writing included. What was written was then checked once more.
+The other columns are what came with the problems: PRP (Muise's planner for relevant policies),
+Paladinus, and FOND4LTLf followed by PRP, each with a limit of 60 s for the FOND rows, `-` where
+they found nothing.
+
+![FOND rows decided within a CPU time](coverage.svg)
+
+{planning}
+
+### Warm, in one process
+
+Rows that some baseline takes less than a second for; the median of seven rounds.
+
+```
+{warm}
+```
+
+## Automata
+
+Formulas that make other constructions explode. The targets are a second and 200 MB for each
+process; `tests/automata/test_growth.py` holds them.
+
+{automata}
+
+## Growth: vineyards
+
+"Clear every line, never enter one while the box is full" in vineyards of more and more lines
+with a grape each, made by `benchmarks/vineyards.py`, which says what the formula is. What is
+known of the grapes at the start makes three different problems.
+
+**Nothing to pick** (every grape is known to be unripe). There are as many automata, states and
+actions as below, and no outcome to plan for: this is how grounding, automata, heuristic and
+policy grow.
+
+{unripe}
+
+**Everything to pick** (every grape is known to be ripe). The box may be full after each drop,
+and the support robot may be busy. Which grapes are stored stays in the state, so a policy that
+empties the box only when it is full has states for each pair of a line and the line where it
+last did. The time is spent in the planner's weak searches: at 20 lines 96% in the profile, more
+than half of that in the heuristic. Past 3,000 states the search starts again and joins paths
+(`MANY_CLOSED`), which does not pay here: without it 20 lines take 2.6 s and 24 lines 4.7 s. As
+it is, 64 lines are out of reach within a minute.
+
+{ripe}
+
+**Nothing known** (every grape has to be checked). What a check finds stays in the state for
+good, ripe or unripe. So every policy that is a graph of states has at least 2^n of them for n
+lines: what grows here is the answer, whoever searches for it.
+
+{unchecked}
+"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--limit", type=int, default=60)
+    chosen = parser.parse_args()
+    names = ("planning", "warm", "automata", "unripe", "ripe", "unchecked")
+    tables = {name: (chosen.folder / f"{name}.md").read_text().strip() for name in names}
+    machine = f"{os.cpu_count()} cores, {platform.machine()} {platform.system()}"
+    machine += f", Python {platform.python_version()}"
+    RESULTS.write_text(PAGE.format(machine=machine, limit=chosen.limit, **tables))
+
+
+if __name__ == "__main__":
+    main()
