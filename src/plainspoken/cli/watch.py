@@ -64,7 +64,7 @@ class Scoreboard:
         return Group(self._table(self._rows[-ROWS:]), self._progress)
 
     def news(self) -> Table:
-        """All rows since this was last asked for; one that goes on is told again when it is over."""
+        """The rows since this was last asked for; one under way is told again when it is over."""
         table = self._table(self._rows[self._printed :])
         self._printed = len(self._rows) - (self._rows[-1].style == UNDER_WAY if self._rows else 0)
         return table

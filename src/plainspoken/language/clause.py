@@ -54,6 +54,9 @@ class Clause:
     assured: bool = False  # "make sure that ..."
     wished: bool = False  # "please", "I want", "make sure"
     pause: bool = False  # a mark stands before it
+    told: bool = False  # a copula tells how things are
+    pointed: bool = False  # it only points back to what was spoken of
+    denied: bool = False  # its connector has a "not" or "never" of its own
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +71,7 @@ CONNECTORS = frozenset(
     (
         Kind.WHEN, Kind.WHENEVER, Kind.AFTER, Kind.PROMPTLY, Kind.BEFORE, Kind.RIGHT_BEFORE,
         Kind.UNTIL, Kind.UNLESS, Kind.WHILE, Kind.WITHOUT, Kind.ONLY_IF, Kind.ONLY_AFTER,
-        Kind.ONLY_RIGHT_AFTER, Kind.IFF,
+        Kind.ONLY_RIGHT_AFTER, Kind.IFF, Kind.ELSEWHERE,
     )
 )  # fmt: skip
 

@@ -31,6 +31,14 @@ class Draft:
     flipped: bool = False  # a "not" that goes for the operands that follow
     counted: bool = False  # a count stands behind an operand
     shared: bool = False  # the operand before stands under the same "not"
+    told: bool = False  # a copula tells how things are
+    either: bool = False  # one of the operands will do
+    pointed: bool = False  # it only points back to what was spoken of
+    apart: bool = False  # each operand for itself: "neither a nor b", "no site"
+    starts: set[int] = field(default_factory=set)
+    being: bool = False  # "you are ...", before a place
+    denied: bool = False  # "not until", and not "only after"
+    pronoun: bool = False  # its subject is "it", "they"
 
     @property
     def is_blank(self) -> bool:
@@ -56,6 +64,8 @@ class Draft:
                 act = Act.AVOID if negated else Act.DO
         if Kind.AGAIN_AND_AGAIN in self.flags and act is Act.DO:
             act = Act.PATROL
+        if self._is_joint(act):
+            self.flags.add(Kind.NOW)
         operands = tuple(self.operands)
         joined = all(each.link is not Kind.OR for each in operands)
         if (
@@ -69,8 +79,23 @@ class Draft:
         return Clause(
             self.connector, self.link, act, operands, self.modality,
             frozenset(self.flags), tuple(self.counts), self.subject, self.assured,
-            self.wished, self.pause,
+            self.wished, self.pause, self.told, self.pointed, self.denied,
         )  # fmt: skip
+
+    def _is_joint(self, act: Act) -> bool:
+        """Whether "never a full and b empty" forbids the two together."""
+        return (
+            act is Act.AVOID
+            and self.connector is None
+            and len(self.operands) > 1
+            and not self.apart
+            and all(each.link is Kind.AND for each in self.operands[1:])
+            and all(
+                each.reference.shape is Shape.STATE and each.reference.form is Form.FINITE
+                for each in self.operands
+            )
+            and self.verb is not Kind.AVOID
+        )
 
     @property
     def lists(self) -> bool:
@@ -79,6 +104,8 @@ class Draft:
 
     def append(self, reference: Reference, link: Kind | None) -> None:
         """Add an operand; "not a or b" is neither of them."""
+        if self.either and self.operands and link is not Kind.NOW:
+            link = Kind.OR
         if self.flipped and self.shared and link is Kind.OR:
             link = Kind.AND
         self.shared = self.flipped

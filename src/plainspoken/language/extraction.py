@@ -10,6 +10,7 @@ from typing import Any
 
 from plainspoken.automata.equivalence import satisfiable
 from plainspoken.language.clause import Act, Clause, Operand, statements
+from plainspoken.language.colour import without_colour
 from plainspoken.language.ellipsis import resolved
 from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.item import Item, items
@@ -147,7 +148,7 @@ class _Extractor:
                 "Say it in shorter pieces."
             )
         said, found = resolved(words(utterance), self._vocabulary)
-        shaped = items(said, found)
+        shaped = without_colour(items(said, found), said)
         problem = self._not_understood(said, shaped, found)
         if problem is not None:
             return problem
@@ -229,7 +230,14 @@ class _Extractor:
                 '"make sure that".',
                 expressions,
             )
-        open_end = next((each for each in parsed if _is_open(each)), None)
+        open_end = next(
+            (
+                each
+                for place, each in enumerate(parsed)
+                if _is_open(each, parsed[max(place - 1, 0) : place + 2])
+            ),
+            None,
+        )
         if open_end is not None and reading is not None:
             word = str(open_end.connector or "not").replace("_", " ")
             return self._rejected(
@@ -352,11 +360,14 @@ class _Extractor:
         return self._rejected(reason, expressions)
 
 
-def _is_open(clause: Clause) -> bool:
+def _is_open(clause: Clause, near: Sequence[Clause]) -> bool:
     """Whether a clause begins something and names nothing: "before leaving", "but never both"."""
     if clause.operands:
         return False
-    return clause.connector is not None or (clause.act is Act.AVOID and not clause.flags)
+    if clause.connector is not None:
+        return True
+    attached = any(each.connector is not None and each.operands for each in near)
+    return clause.act is Act.AVOID and not clause.flags and not attached
 
 
 def _placeholder(number: int) -> str:

@@ -7,57 +7,28 @@ act ("use" + "a tool"). Beside each state stands its antonym, which says that it
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
 from enum import StrEnum, auto
 from functools import cached_property
 from itertools import pairwise
 
+from plainspoken.language.frame import ARTICLES, Frames, aliased
+from plainspoken.language.kinship import alike, nouns, opposites
 from plainspoken.language.word import Word, stems, words
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
 from plainspoken.world.symbol import SymbolId
 
-ARTICLES = frozenset(("the", "a", "an"))
 _COPULA_WORDS = """
     is are be am was were been being gets get becomes become turns turn has have
 """
 COPULAS = frozenset(_COPULA_WORDS.split())
+PARTICLES = frozenset(("on", "off"))
+"""Small words that tell two acts or states apart: "turn the lamp on", "turn the lamp off"."""
 _PREPOSITION_WORDS = """
     in into inside on onto at to from of off by for with near up down over out under
 """
 PREPOSITIONS = frozenset(_PREPOSITION_WORDS.split())
-
-_ANTONYMS = """full empty; open closed; open shut; locked unlocked; ripe unripe; on off;
-    clean dirty; busy free; busy idle; hot cold; wet dry; occupied free; occupied vacant;
-    present absent; awake asleep; visible hidden; available unavailable; lit dark; known unknown;
-    alive dead; intact broken; safe dangerous; safe unsafe; enabled disabled; active inactive;
-    full drained; charged drained; charged flat; loaded unloaded; blocked clear; blocked free;
-    tidy untidy; tidy messy; finished unfinished; ready unready; clear cluttered; high low;
-    occupied unoccupied; covered uncovered; connected disconnected; plugged unplugged"""
-_ALIKE = """full fill; full filled; empty emptied; call summon; call fetch; call ring; call page;
-    check inspect; check examine; check verify; check test; drop place; drop put; drop deposit;
-    put place; pick grab; pick collect; get fetch; get collect; human person;
-    human worker; human someone; robot machine; start begin; finish complete; clean tidy;
-    clean wash; repair fix; mend fix; ask query; ask consult; closed shut; close shut; big large;
-    small little; bring deliver; deliver carry; carry bring; trash rubbish;
-    trash garbage; photo picture; photograph picture; help assist; help assistance; helper robot;
-    hand gripper; load fill; see spot; notify alert; notify warn; alert warn; tell inform;
-    notify tell; notify inform; reset restart; hold carry; stock store; dock charge; refill fill;
-    buy purchase; send dispatch; release free; seal close; look inspect; throw discard;
-    activate enable; activate start; deactivate disable; unload empty"""
-
-
-def _pairs(text: str) -> dict[str, frozenset[str]]:
-    found: dict[str, frozenset[str]] = {}
-    for entry in text.split(";"):
-        one, other = entry.split()
-        found[one] = found.get(one, frozenset()) | {other}
-        found[other] = found.get(other, frozenset()) | {one}
-    return found
-
-
-ANTONYMS = _pairs(_ANTONYMS)
-ALIKE = _pairs(_ALIKE)
 
 
 class Shape(StrEnum):
@@ -70,15 +41,22 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One content word of an expression: its stems, and words that mean nearly the same."""
+    """One content word of an expression: its stems, nouns of it, and what means nearly the same."""
 
     stems: frozenset[str]
     alike: frozenset[str] = frozenset()
+    nouns: frozenset[str] = frozenset()
+
+    @property
+    def is_number(self) -> bool:
+        return any(stem.isdigit() for stem in self.stems)
 
     def quality(self, found: frozenset[str]) -> float:
-        """How well a word's stems fit: 1 the word itself, less a synonym, 0 another word."""
+        """How well a word's stems fit: 1 the word itself, less its noun or a synonym."""
         if self.stems & found:
             return 1.0
+        if self.nouns & found:
+            return 0.95
         return 0.8 if self.alike & found else 0.0
 
 
@@ -90,6 +68,8 @@ class Expression:
     subject: how many of them come before the predicate, in a state
     weight:  1 for the landmark's own words, less for an antonym
     negated: whether it says that the symbol does not hold
+    instance: whether it is one case of an act that is a symbol of its own
+    head:     whether "the museum" is enough, because no other place is called so
     """
 
     symbol: SymbolId
@@ -98,6 +78,21 @@ class Expression:
     subject: int = 0
     weight: float = 1.0
     negated: bool = False
+    instance: bool = False
+    head: bool = False
+
+    @property
+    def head_part(self) -> int:
+        """The part that says what kind of place it is: the last, or the one before "of"."""
+        return next(
+            (i - 1 for i, part in enumerate(self.parts) if i and "of" in part.stems),
+            len(self.parts) - 1,
+        )
+
+    @property
+    def agentless(self) -> bool:
+        """Whether it is a state told without its subject: "hold the jar"."""
+        return self.shape is Shape.STATE and not self.subject and self.weight < 1.0
 
 
 @dataclass(frozen=True)
@@ -106,11 +101,19 @@ class Vocabulary:
 
     landmarks: Landmarks
     expressions: tuple[Expression, ...] = field(repr=False)
+    frames: Frames = field(repr=False)
 
     @classmethod
     def of(cls, landmarks: Landmarks) -> Vocabulary:
         """The vocabulary of a landmarks file, or of landmarks derived from a problem."""
-        found = [each for landmark in landmarks.values() for each in _expressions(landmark)]
+        known = aliased(landmarks)
+        cases = _instances(landmarks)
+        found = [
+            replace(each, instance=True) if each.symbol in cases else each
+            for landmark in known.values()
+            for each in _expressions(landmark)
+        ]
+        found = _with_heads(found)
         plain = {(each.shape, _stems(each.parts)) for each in found if not each.negated}
         return cls(
             landmarks,
@@ -119,6 +122,7 @@ class Vocabulary:
                 for each in found
                 if not each.negated or (each.shape, _stems(each.parts)) not in plain
             ),
+            Frames.of(known),
         )
 
     @cached_property
@@ -127,9 +131,22 @@ class Vocabulary:
         found: dict[str, dict[Expression, None]] = {}
         for expression in self.expressions:
             for part in expression.parts:
-                for stem in part.stems | part.alike:
+                for stem in part.stems | part.alike | part.nouns:
                     found.setdefault(stem, {})[expression] = None
         return {stem: tuple(each) for stem, each in found.items()}
+
+    @cached_property
+    def general(self) -> Mapping[SymbolId, frozenset[str]]:
+        """The acts that are done to any one of a kind, with the kind: "to prune a plant"."""
+        found: dict[SymbolId, frozenset[str]] = {}
+        for landmark in self.landmarks.values():
+            if landmark.type is LandmarkType.ACTION:
+                for phrase in landmark.phrases:
+                    for word, noun in pairwise(words(phrase)):
+                        if word.text in ("a", "an"):
+                            kinds = found.get(landmark.id, frozenset())
+                            found[landmark.id] = kinds | {noun.text}
+        return found
 
     def members(self, noun: Word) -> tuple[tuple[str, ...], ...]:
         """The words of each thing of a name: "site 0", "site 1"; "red site", "blue site"."""
@@ -173,14 +190,43 @@ class Vocabulary:
         return tuple(ranked[:most])
 
 
+def _with_heads(found: Iterable[Expression]) -> list[Expression]:
+    """Mark the names of places of which the noun alone says which one is meant."""
+    listed = list(found)
+    owners: dict[frozenset[str], set[SymbolId]] = {}
+    for each in listed:
+        if each.shape is Shape.PLACE:
+            owners.setdefault(each.parts[each.head_part].stems, set()).add(each.symbol)
+    return [
+        replace(each, head=True)
+        if each.shape is Shape.PLACE
+        and len(each.parts) > 1
+        and len(owners[each.parts[each.head_part].stems]) == 1
+        and not each.parts[each.head_part].is_number
+        else each
+        for each in listed
+    ]
+
+
+def _instances(landmarks: Landmarks) -> frozenset[SymbolId]:
+    """The action symbols that stand for some executions of another action symbol."""
+    acts = {id for id, each in landmarks.items() if each.type is LandmarkType.ACTION}
+    general = {id.removesuffix("_executed") for id in acts if id.endswith("_executed")}
+    return frozenset(
+        id
+        for id in acts
+        if any(id.startswith(f"{name}_") and id != f"{name}_executed" for name in general)
+        or any(id.endswith(f"_executes_{name}") for name in general)
+    )
+
+
 def _stems(parts: Iterable[Part]) -> tuple[frozenset[str], ...]:
     return tuple(part.stems for part in parts)
 
 
 def _part(word: Word) -> Part:
     own = word.stems
-    alike = frozenset(other for stem in own for other in ALIKE.get(stem, ()))
-    return Part(own, alike - own)
+    return Part(own, alike(own), nouns(own))
 
 
 def _content(found: Iterable[Word], dropped: frozenset[str]) -> tuple[Word, ...]:
@@ -203,6 +249,8 @@ def _expressions(landmark: Landmark) -> Iterator[Expression]:
         if not said or not any(not word.is_mark for word in said):
             continue
         match landmark.type:
+            case LandmarkType.LOCATION if any(word.text in COPULAS for word in said):
+                continue  # "the crane is at the gate" tells who moves: see agency
             case LandmarkType.LOCATION:
                 yield from _place(landmark.id, said)
             case LandmarkType.ACTION:
@@ -220,8 +268,31 @@ def _place(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
 def _act(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
     if said[0].text == "to":
         said = said[1:]
-    content = _content(said, ARTICLES | PREPOSITIONS)
-    yield Expression(symbol, Shape.ACT, tuple(map(_part, content)))
+    if said[0].text in ARTICLES:
+        yield from _doing(symbol, said)
+        return
+    verb, *rest = _verbal(said)
+    # A verb is no comparative: "lower" is not "low".
+    own = verb.stems - {verb.text[:-2], verb.text[:-1]} if verb.text.endswith("er") else verb.stems
+    yield Expression(symbol, Shape.ACT, (Part(own, alike(own), nouns(own)), *map(_part, rest)))
+
+
+def _doing(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
+    """Read "the crane lifts" as what is so of a subject."""
+    content = _verbal(said)
+    cut = next((i for i, word in enumerate(content) if i and word.text.endswith("s")), 1)
+    if len(content) > cut:
+        yield Expression(symbol, Shape.STATE, tuple(map(_part, content)), cut)
+
+
+def _verbal(said: tuple[Word, ...]) -> tuple[Word, ...]:
+    """The content words of an act, with a particle right behind the verb or at the end."""
+    place = next((i for i in (1, len(said) - 1) if said[i:] and said[i].text in PARTICLES), None)
+    if len(said) < 2 or place is None:
+        return _content(said, ARTICLES | PREPOSITIONS)
+    before = _content(said[:place], ARTICLES | PREPOSITIONS)
+    rest = said[place + 1 :]
+    return (*before, said[place], *(_content(rest, ARTICLES | PREPOSITIONS) if rest else ()))
 
 
 def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
@@ -232,21 +303,16 @@ def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
         parts = tuple(map(_part, _content(said, ARTICLES)))
         yield Expression(symbol, Shape.STATE, parts, negated=negated)
         return
-    subject = tuple(map(_part, _content(said[:cut], ARTICLES)))
-    predicate = _content(said[cut:], dropped)
+    subject = tuple(map(_part, _content(said[:cut], ARTICLES | {"of"})))
+    predicate = _content(said[cut + 1 :] or said[cut:], dropped)
     parts = tuple(map(_part, predicate))
     yield Expression(symbol, Shape.STATE, (*subject, *parts), len(subject), negated=negated)
+    if said[:cut][-1].text == "robot" and len(subject) == 1 and len(parts) > 1:
+        # The robot that is spoken to needs no name: "hold the jar".
+        yield Expression(symbol, Shape.STATE, parts, 0, 0.95, negated=negated)
     if len(predicate) == 1:
-        for opposite in sorted(_opposites(predicate[0])):
+        for opposite in sorted(opposites(predicate[0].stems)):
             other = Part(stems(opposite))
             yield Expression(
                 symbol, Shape.STATE, (*subject, other), len(subject), 0.9, negated=not negated
             )
-
-
-def _opposites(word: Word) -> frozenset[str]:
-    found: set[str] = set()
-    for stem in word.stems:
-        found |= ANTONYMS.get(stem, frozenset())
-        found |= {"un" + stem} if not stem.startswith("un") else {stem[2:]}
-    return frozenset(found)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from plainspoken.language.grounding import Shape
 from plainspoken.language.lexicon import MARKS, PHRASES, Kind
 from plainspoken.language.reference import Form, Reference
-from plainspoken.language.word import Word
+from plainspoken.language.word import ORDINALS, Word
 
 _TIMES = {"once": 1, "twice": 2, "thrice": 3}
 _LIMITS = {"minimum": ">=", "least": ">=", "maximum": "<=", "most": "<=", "limit": "<="}
@@ -16,14 +16,16 @@ _COUNTED = frozenset(("trip", "trips", "entry", "entries")) | frozenset(
     ["time", "times", "occasion", "occasions", "visit", "visits", "instance", "instances"]
 )
 _SEPARATE_WORDS = """
-    separate different distinct individual on at in of and total for
+    separate different distinct individual single on at in of and total for
 """
 _SEPARATE = frozenset(_SEPARATE_WORDS.split())
 BOUNDS = {
     ">=": """at least; no fewer than; no less than; not fewer than; not less than; a minimum of;
         minimum; equal or more than; equal to or more than""",
-    "<=": """at most; no more than; not more than; up to; a maximum of; maximum; not exceeding;
-        not over; equal or less than; equal or fewer than; a total of at most""",
+    "<=": """must not exceed; may not exceed; should not exceed; cannot exceed; not exceed; is
+        limited to; are limited to; limited to; is capped at; at most; no more than;
+        not more than; up to; a maximum of; maximum; not exceeding; not over; equal or
+        less than; equal or fewer than; a total of at most""",
     "=": """exactly; only; just; precisely; a total of; strictly; no more and no less than;
         no fewer or greater than; no fewer or more than; no more or less than;
         no more or fewer than; no less or more than; no more nor less than""",
@@ -35,8 +37,15 @@ BOUNDS = {
 }
 """What is said before a number, by what it means."""
 _AFTERWARDS = {
-    ">=": "or more than one times; or more; at least; or more often",
-    "<=": "or fewer; or less; at most; or less often",
+    ">=": """or more than one times; or more; at least; or more often; at the least;
+        at the very least; if not more; minimum; or more separate""",
+    "<=": """or fewer; or less; at most; or less often; at the most; at the very most; maximum;
+        tops; if at all; at the outside""",
+    "=": """only; and only once; and once only; and one time only; and only one time; no more;
+        and no more; and no more than that; no more and no less; no more and no fewer;
+        no more no less; neither more nor less; neither more nor fewer; not twice; not two;
+        and not twice; just the one; exactly; precisely; no less; and that is it;
+        and only that once""",
 }
 
 
@@ -47,7 +56,7 @@ def _phrases(table: Mapping[str, str]) -> tuple[tuple[str, tuple[str, ...]], ...
 
 
 _BEFORE_A_NUMBER = _phrases(BOUNDS)
-_BEHIND_A_NUMBER = _phrases(_AFTERWARDS)
+_BEHIND_A_NUMBER = tuple(sorted(_phrases(_AFTERWARDS), key=lambda entry: -len(entry[1])))
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +69,12 @@ class Count:
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A reference or a phrase of the lexicon. first, last: its words."""
+    """A reference or a phrase of the lexicon.
+
+    first, last: its words
+    start:       character of a reference, which the members of "every site" share
+    filled:      whether a reference stands for a pronoun
+    """
 
     kind: Kind
     first: int
@@ -69,6 +83,8 @@ class Item:
     form: Form | None = None
     reference: Reference | None = None
     count: Count | None = None
+    start: int = 0
+    filled: bool = False
 
 
 def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
@@ -81,7 +97,16 @@ def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
             reference = starts[index]
             text = " ".join(word.text for word in said[index : reference.last])
             made.append(
-                Item(Kind.REFERENCE, index, reference.last, text, reference.form, reference)
+                Item(
+                    Kind.REFERENCE,
+                    index,
+                    reference.last,
+                    text,
+                    reference.form,
+                    reference,
+                    start=said[index].start,
+                    filled=_is_filled(said, reference),
+                )
             )
             index = reference.last
             continue
@@ -95,6 +120,18 @@ def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
     return tuple(made)
 
 
+def _is_filled(said: Sequence[Word], reference: Reference) -> bool:
+    """Whether the words of a reference were put in for a pronoun: all stand where it stood."""
+    first, last = said[reference.first], said[reference.last - 1]
+    near = [*said[max(reference.first - 1, 0) : reference.first],
+            *said[reference.last : reference.last + 1]]  # fmt: skip
+    return (
+        (first.start, first.end) == (last.start, last.end)
+        and len(first.text) > first.end - first.start
+        and all(word.start != first.start for word in near)
+    )
+
+
 def _between(
     said: Sequence[Word], index: int, starts: Mapping[int, Reference], made: Sequence[Item]
 ) -> Item | None:
@@ -103,13 +140,21 @@ def _between(
     after_place = before is not None and before.form is Form.NOUN
     if after_place and said[index].text == "to" and _skips_articles(said, index + 1) in starts:
         return Item(Kind.THEN, index, index + 1, "to")
-    following = starts.get(_skips_articles(said, index + 1))
+    following = starts.get(index + 1) or starts.get(_skips_articles(said, index + 1))
     causes = said[index].text in ("get", "bring", "put", "have")
     if causes and following is not None and following.shape is Shape.STATE:
         return Item(Kind.ENSURE, index, index + 1, said[index].text)
-    if said[index].text == "with" and following is not None and following.shape is Shape.STATE:
-        return Item(Kind.WHILE, index, index + 1, "with")
+    if said[index].text == "with" and following is not None:
+        if following.shape is Shape.STATE:
+            return Item(Kind.WHILE, index, index + 1, "with")
+        if following.shape is Shape.PLACE and _told_of(said, following.last):
+            return Item(Kind.BUT, index, index + 1, "with")
     return None
+
+
+def _told_of(said: Sequence[Word], index: int) -> bool:
+    """Whether a participle follows: "with site 2 avoided"."""
+    return index < len(said) and said[index].text.endswith("ed") and len(said[index].stems) > 1
 
 
 def _skips_articles(said: Sequence[Word], index: int) -> int:
@@ -136,13 +181,15 @@ def _next(said: Sequence[Word], index: int, end: int) -> Item | None:
     if word.is_mark:
         kind = MARKS.get(word.text) or (Kind.AND if word.text in "&/+" else None)
         return Item(kind, index, index + 1, word.text) if kind else None
-    count = _count(said, index, end)
+    count = _nth(said, index, end) or _count(said, index, end)
     phrase = _pointing(_phrase(said, index, end), said)
     if count and (phrase is None or count.last >= phrase.last):
         return count
     return phrase or Item(Kind.UNKNOWN, index, index + 1, word.text)
 
 
+_ENDING = {Kind.WHENEVER: Kind.ALWAYS, Kind.WHILE: Kind.ALWAYS}
+"""What a phrase does with nothing behind it: "... every time.", "... the whole time"."""
 _POINTING = {
     Kind.PROMPTLY: Kind.RIGHT_AFTER_THAT,
     Kind.RIGHT_BEFORE: Kind.RIGHT_BEFORE_THAT,
@@ -153,9 +200,21 @@ _POINTING = {
 
 def _pointing(phrase: Item | None, said: Sequence[Word]) -> Item | None:
     """Read "right after" with nothing behind it as "right after that"."""
-    if phrase is None or phrase.kind not in _POINTING:
-        return phrase
+    if phrase is None:
+        return None
     following = said[phrase.last].text if phrase.last < len(said) else "."
+    if following in MARKS and phrase.kind in _ENDING:
+        return replace(phrase, kind=_ENDING[phrase.kind])
+    if following in MARKS and phrase.kind is Kind.ONLY_AFTER and phrase.text.endswith("before"):
+        return replace(phrase, kind=Kind.IN_ORDER)  # "b after a, never before"
+    if following in ".;!" and phrase.kind is Kind.ONLY_THEN:
+        return replace(phrase, kind=Kind.NO_OTHER)  # "b when a, and only then"
+    if phrase.kind is Kind.NOT and phrase.text.endswith("forbidden to") and (
+        following in ("the", "you", "it", "them", "us")
+    ):  # fmt: skip
+        return replace(phrase, kind=Kind.FORBIDDEN)
+    if phrase.kind not in _POINTING:
+        return phrase
     if following in MARKS or following in ("and", "or", "but", "then"):
         return replace(phrase, kind=_POINTING[phrase.kind])
     return phrase
@@ -164,17 +223,17 @@ def _pointing(phrase: Item | None, said: Sequence[Word]) -> Item | None:
 def _phrase(said: Sequence[Word], index: int, end: int) -> Item | None:
     word = said[index]
     best: tuple[int, bool, Kind] | None = None
+    after = index
     for stem in word.stems | {word.text}:
         for pattern, kind in PHRASES.get(stem, ()):
             length = len(pattern)
             if best and length < best[0]:
                 break
-            if index + length <= end and all(
-                _fits(each, said[index + i]) for i, each in enumerate(pattern)
-            ):
+            reach = _reach(pattern, kind, said, index, end)
+            if reach is not None and not _goes_on(kind, said, index, reach - index):
                 exact = not pattern[0].startswith("~")
                 if best is None or (length, exact) > best[:2]:
-                    best = (length, exact, kind)
+                    best, after = (length, exact, kind), reach
                 break
     if best is None:
         return None
@@ -183,8 +242,42 @@ def _phrase(said: Sequence[Word], index: int, end: int) -> Item | None:
         following = said[index + 1]
         if following.text.endswith("ing") and len(following.stems) > 1:
             kind = Kind.CEASE
-    text = " ".join(each.text for each in said[index : index + length])
-    return Item(kind, index, index + length, text, _form(said, index))
+    text = " ".join(each.text for each in said[index:after] if each.text != ",")
+    return Item(kind, index, after, text, _form(said, index))
+
+
+def _reach(
+    pattern: Sequence[str], kind: Kind, said: Sequence[Word], index: int, end: int
+) -> int | None:
+    """The word after a phrase that begins here; "if, and only if," is one phrase."""
+    position = index
+    for each in pattern:
+        if kind is Kind.IFF and position < end and said[position].text == ",":
+            position += 1
+        if position >= end or not _fits(each, said[position]):
+            return None
+        position += 1
+    if kind is Kind.IFF and position < end and said[position].text == ",":
+        position += 1
+    return position
+
+
+_THAT = frozenset(
+    (Kind.BEFORE_THAT, Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT, Kind.RIGHT_BEFORE_THAT)
+)
+_AUXILIARIES = frozenset(("is", "has", "was", "does", "happens", "have", "are", "been"))
+
+
+def _goes_on(kind: Kind, said: Sequence[Word], index: int, length: int) -> bool:
+    """Whether a phrase that would stand by itself begins a clause: "you have been there"."""
+    if index + length >= len(said):
+        return False
+    following = said[index + length]
+    if kind in _THAT:
+        return length > 1 and following.text in _AUXILIARIES
+    if kind is not Kind.IT_HAPPENS or said[index].text not in ("you", "they"):
+        return False
+    return not following.is_mark and following.text not in ("and", "or", "but", "then")
 
 
 def _fits(pattern: str, word: Word) -> bool:
@@ -212,12 +305,13 @@ def _count(said: Sequence[Word], index: int, end: int) -> Item | None:
     if times is None:
         return None
     lone = said[position].text == "once" and (not bound or said[index].text == "only")
-    if not bound:
+    if bound in ("", "="):
         for sign, phrase in _BEHIND_A_NUMBER:
-            if _says(said, after, end, phrase):
-                after += len(phrase)
+            tail = after + (after < end and said[after].text == "," and sign == "=")
+            if _says(said, tail, end, phrase):
+                after = tail + len(phrase)
                 bound, lone = sign, False
-                while after < end and said[after].text in _COUNTED:
+                while after < end and said[after].text in (*_COUNTED, *_SEPARATE, "occasions"):
                     after += 1
                 break
     answers = index > 0 and said[index - 1].text in ("is", "are")
@@ -249,6 +343,8 @@ def _times(said: Sequence[Word], position: int, end: int) -> tuple[int | None, i
         return None, position
     after = position + 1
     counted = False
+    if _limited_behind(said, after, end):
+        return int(word.number), after
     while after < end and (
         said[after].text in _COUNTED
         or said[after].text in _SEPARATE
@@ -263,6 +359,27 @@ def _times(said: Sequence[Word], position: int, end: int) -> tuple[int | None, i
             return int(word.number), after
         after += 1
     return (int(word.number), after) if counted else (None, position)
+
+
+def _limited_behind(said: Sequence[Word], after: int, end: int) -> bool:
+    """Whether "or more separate visits" follows a number."""
+    if not (_says(said, after, end, ("or", "more")) or _says(said, after, end, ("or", "fewer"))):
+        return False
+    after += 2
+    while after < end and said[after].text in _SEPARATE:
+        after += 1
+    return after < end and said[after].text in _COUNTED
+
+
+def _nth(said: Sequence[Word], index: int, end: int) -> Item | None:
+    """Read "a third visit" as three or more, which is said to be forbidden."""
+    if said[index].text not in ("a", "any", "no") or index + 2 >= end:
+        return None
+    number, noun = ORDINALS.get(said[index + 1].text), said[index + 2].text
+    if number is None or number == "1" or noun not in _COUNTED or (number, noun) == ("2", "time"):
+        return None
+    text = " ".join(word.text for word in said[index : index + 3])
+    return Item(Kind.COUNT, index, index + 3, text, count=Count(">=", int(number)))
 
 
 def _says(said: Sequence[Word], index: int, end: int, phrase: Sequence[str]) -> bool:

@@ -12,22 +12,21 @@ from plainspoken.language.clause import Act, Clause, Operand, Statement
 from plainspoken.language.grounding import Shape
 from plainspoken.language.itinerary import Chain
 from plainspoken.language.lexicon import Kind
-from plainspoken.language.main_clause import MainClauses
+from plainspoken.language.main_clause import is_once
+from plainspoken.language.reaction import Reactions
 from plainspoken.logic.formula import (
     Atom,
     Formula,
-    Next,
     Until,
     conjunction,
     disjunction,
 )
 from plainspoken.logic.pattern import (
-    AtMost,
     BoundDelay,
     BoundReaction,
     Choice,
     DelayedReaction,
-    FutureAvoidance,
+    GlobalAvoidance,
     GuardedVisit,
     InstantaneousReaction,
     PastAvoidance,
@@ -64,7 +63,7 @@ def lifted(
     return _Lifter(placeholder, persists).lifted(said)
 
 
-class _Lifter(MainClauses):
+class _Lifter(Reactions):
     """Main clauses together with what belongs to them."""
 
     def lifted(self, said: Sequence[Statement]) -> Lifted:
@@ -84,8 +83,6 @@ class _Lifter(MainClauses):
             self._route.add(Choice(tuple(each.patterns for each in found)))
         self._route.chain = None
 
-    # Statements.
-
     def _statement(self, statement: Statement) -> None:
         main = statement.main
         subordinates = [each for each in statement.subordinates if each.operands]
@@ -93,16 +90,28 @@ class _Lifter(MainClauses):
         if not main.operands and self._before is not None and (subordinates or again):
             main = _with_operands(main, self._before.operands)
         if Kind.NO_OTHER in main.flags and not main.operands:
+            before = self._before
+            if before is not None and before.modality is Kind.MAY and self._bounded(before):
+                self._permissions -= 1
+                return
             self._route.bind(None)
+            return
+        if self._elaborates(statement):
+            return
+        if not main.operands and self._before is None and subordinates and all(
+            each.connector is Kind.WITHOUT for each in subordinates
+        ):  # fmt: skip
+            self._never_or_once(main, subordinates)
             return
         if not main.operands:
             if self._route.chain is not None and Kind.NO_RETURN in main.flags:
                 self._route.chain.strict = True
-            if self._route.chain is not None and Kind.IN_ORDER in main.flags:
-                self._route.chain.ordered = True
+            if Kind.IN_ORDER in main.flags:
+                self._ordered(strict=Kind.NO_RETURN in main.flags)
             return
         also = any(
-            each.link is Kind.BUT and each.connector in (Kind.ONLY_IF, Kind.ONLY_AFTER)
+            each.connector in (Kind.ONLY_IF, Kind.ONLY_AFTER)
+            and (each.link is Kind.BUT or (each.pause and _denies(each, main)))
             for each in subordinates
         )
         if (not subordinates or also) and not self._goes_on(main):
@@ -111,11 +120,17 @@ class _Lifter(MainClauses):
             self._joined(main, clause)
         self._before = main
 
-    # Main and subordinate clause.
+    def _never_or_once(self, main: Clause, subordinates: Sequence[Clause]) -> None:
+        """Read "get it done without a" as never a, "do not stop without a" as a."""
+        for clause in subordinates:
+            parts = tuple(self._all(clause))
+            self._route.add((Visit if main.act is Act.AVOID else GlobalAvoidance)(parts))
 
     def _joined(self, main: Clause, clause: Clause) -> None:
         trigger = self._situation(clause)
         parts = self._all(main)
+        self._recurrent = clause.connector is Kind.WHENEVER
+        self._afterwards = clause.connector is Kind.AFTER
         match clause.connector:
             case Kind.WHEN | Kind.WHENEVER | Kind.AFTER | Kind.PROMPTLY:
                 self._reaction(main, clause, trigger, parts)
@@ -136,91 +151,23 @@ class _Lifter(MainClauses):
             case Kind.ONLY_IF:
                 for part in parts:
                     self._route.add(InstantaneousReaction(part, trigger))
+            case Kind.ELSEWHERE:
+                places = self._all(clause)
+                for part in parts:
+                    self._route.add(InstantaneousReaction(part, disjunction(*places)))
             case Kind.ONLY_AFTER:
                 self._only_after(main, clause, parts)
             case Kind.ONLY_RIGHT_AFTER:
                 for part in parts:
                     self._route.add(PromptPrecedence(trigger, part, self._steady(clause)))
             case Kind.IFF:
-                bound = self._response(main, parts)
+                bound = self._situation(main)
                 if main.flags & {Kind.NEXT, Kind.NEXT_INSTANT, *_SPECIFIC}:
                     self._route.add(BoundDelay(trigger, bound, self._steady(clause)))
                 else:
                     self._route.add(BoundReaction(trigger, bound))
             case _:
                 raise AssertionError(clause.connector)
-
-    def _reaction(
-        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
-    ) -> None:
-        flags = main.flags | clause.flags
-        if main.act is Act.AVOID and not main.counts:
-            self._reaction_forbidden(main, clause, trigger, parts)
-            return
-        response = self._response(main, parts)
-        steady = self._steady(clause)
-        prompt = clause.connector is Kind.PROMPTLY or bool(
-            flags & {Kind.NEXT, Kind.NEXT_INSTANT, Kind.RIGHT_AFTER_THAT}
-        )
-        if Kind.NO_OTHER in flags:
-            self._route.add(
-                (BoundDelay(trigger, response, steady))
-                if prompt
-                else BoundReaction(trigger, response)
-            )
-        elif Kind.ONLY_THEN in (main.link, *flags) or main.link is Kind.ONLY_THEN:
-            for part in parts:
-                self._route.add(PastAvoidance(part, trigger))
-        elif prompt:
-            self._route.add(PromptReaction(trigger, response, steady))
-        elif Kind.NOW in flags or main.act is Act.STAY:
-            self._route.add(InstantaneousReaction(trigger, response))
-        elif clause.connector is Kind.AFTER and self._is_journey(main, clause):
-            self._extend(clause, parts)
-        elif main.modality is Kind.MAY:
-            self._permissions += 1
-        else:
-            self._route.add(DelayedReaction(trigger, response))
-
-    def _is_journey(self, main: Clause, clause: Clause) -> bool:
-        """Whether "after a, b" tells where to go next, and not what to do whenever."""
-        places = all(
-            operand.reference.shape is Shape.PLACE for operand in (*main.operands, *clause.operands)
-        )
-        return places and main.modality is None and Kind.LATER not in main.flags
-
-    def _extend(self, clause: Clause, parts: list[Formula]) -> None:
-        earlier = self._all(clause)
-        chain = self._route.chain
-        if chain is not None and earlier == chain.places[-1:]:
-            chain.places += parts
-        elif chain is not None and parts == chain.places[:1]:
-            chain.places[:0] = earlier
-        else:
-            self._route.chain = Chain([*earlier, *parts])
-            self._route.add(self._route.chain)
-
-    def _reaction_forbidden(
-        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
-    ) -> None:
-        states = all(o.reference.shape is Shape.STATE for o in clause.operands)
-        same = clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
-            states or Kind.BE in clause.flags
-        )
-        for part in parts:
-            if clause.connector is Kind.PROMPTLY or Kind.NEXT_INSTANT in main.flags:
-                self._route.add(PromptReaction(trigger, negated(part), self._steady(clause)))
-            elif (same and Kind.AFTER_THAT not in main.flags) or Kind.NOW in main.flags:
-                self._route.add(InstantaneousReaction(trigger, negated(part)))
-            elif clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
-                clause.act is Act.AVOID or all(o.negated for o in clause.operands)
-            ):
-                # "not b if you have not been to a"
-                self._route.add(PastAvoidance(part, negated(trigger)))
-            elif part == trigger:
-                self._route.add(AtMost(part, 1))
-            else:
-                self._route.add(FutureAvoidance(trigger, part))
 
     def _before_clause(
         self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
@@ -238,6 +185,8 @@ class _Lifter(MainClauses):
             self._route.add(Wait(self._response(main, parts), trigger))
         elif main.modality is Kind.MAY:
             self._permissions += 1
+        elif is_once(main):
+            self._once_before(parts, later)
         elif self._is_tour(main, clause):
             chain = self._route.chain
             if chain is not None and later == chain.places[-1:] and len(parts) == 1:
@@ -253,28 +202,13 @@ class _Lifter(MainClauses):
                 for part in earlier:
                     self._route.add(PastAvoidance(each, part, demanded=True))
 
-    def _is_tour(self, main: Clause, clause: Clause) -> bool:
-        return main.modality is None and all(
-            operand.reference.shape is Shape.PLACE for operand in (*main.operands, *clause.operands)
-        )
-
-    def _right_before(
-        self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
-    ) -> None:
-        for part in parts:
-            if main.act is Act.AVOID:
-                self._route.add(InstantaneousReaction(part, negated(Next(trigger))))
-            else:
-                self._route.add(
-                    PromptPrecedence(part, trigger, all(map(self._persists, main.operands)))
-                )
-
     def _until(self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]) -> None:
         if main.act is Act.AVOID:
             again = Kind.AGAIN in main.flags
             for part in parts:
                 for guard in self._each(clause):
-                    if not (again and self._route.enter_once(part, guard)):
+                    once = again or bool(main.counts)
+                    if not (once and self._route.enter_once(part, guard)):
                         self._route.add(PastAvoidance(part, guard))
         elif self._route.chain is not None and parts == self._route.chain.places[-1:]:
             # "go there and stay until ...": staying begins when it gets there
@@ -321,13 +255,27 @@ class _Lifter(MainClauses):
                     )
                 elif Kind.AFTER_THAT in flags or Kind.LATER in flags:
                     self._route.add(DelayedReaction(part, other))
+                elif main.act is Act.AVOID and self._stands(clause):
+                    self._route.add(InstantaneousReaction(part, other))
                 elif main.act is Act.AVOID:
                     self._route.add(PastAvoidance(part, other))
                 else:
                     continue
-        if main.act is Act.DO:
+        if main.act is Act.DO and Kind.BEFORE_THAT in clause.flags:
+            # "go to a without passing b on the way"
+            for other in self._all(clause):
+                for part in parts:
+                    self._route.add(PastAvoidance(other, part, demanded=True))
+        elif main.act is Act.DO:
             self._alone(main)
             self._route.guards += [(other, part) for other in self._all(clause) for part in parts]
+
+    def _stands(self, clause: Clause) -> bool:
+        """Whether a clause tells of a state that must hold, not of what must have been."""
+        earlier = {Kind.ALREADY, Kind.FIRST, Kind.BEFORE_THAT}
+        return not clause.flags & earlier and all(
+            operand.reference.shape is Shape.STATE for operand in clause.operands
+        )
 
     def _only_after(self, main: Clause, clause: Clause, parts: list[Formula]) -> None:
         chain = self._route.chain
@@ -350,6 +298,11 @@ class _Lifter(MainClauses):
         if lasting or either or clause.act is Act.AVOID or Kind.NOW in clause.flags:
             return [self._situation(clause)]
         return self._all(clause)
+
+
+def _denies(clause: Clause, main: Clause) -> bool:
+    """Whether "do a, (just) not before b" asks for a, and does not only restrict it."""
+    return clause.denied and main.act is Act.DO and main.modality is not Kind.MAY
 
 
 def _options(said: Sequence[Statement]) -> list[list[list[Statement]]]:

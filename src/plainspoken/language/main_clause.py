@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from plainspoken.language.clause import Act, Clause, Operand
+from plainspoken.language.clause import Act, Clause, Operand, Statement
 from plainspoken.language.grounding import Shape
 from plainspoken.language.item import Count
 from plainspoken.language.itinerary import Chain, Itinerary, count_pattern
@@ -20,11 +20,15 @@ from plainspoken.logic.formula import (
 )
 from plainspoken.logic.pattern import (
     AtLeast,
+    AtMost,
     DelayedReaction,
     Exactly,
+    FairVisit,
     FutureAvoidance,
     GlobalAvoidance,
+    InstantaneousReaction,
     Maintenance,
+    PastAvoidance,
     Patrolling,
     PromptReaction,
     Remaining,
@@ -45,6 +49,10 @@ class MainClauses:
         self._persists = persists
         self._route = Itinerary()
         self._before: Clause | None = None  # what "that" of "after that" points to
+        self._spoken: list[Formula] = []  # what was asked for, in the order of saying
+        self._fair: frozenset[Formula] = frozenset()  # what is visited by turns
+        self._afterwards = False  # the last condition was "after", "once"
+        self._recurrent = False  # the last condition was "whenever"
         self._permissions = 0
         self._remarks = 0
 
@@ -95,12 +103,21 @@ class MainClauses:
         flags = main.flags
         if self._points_back(main, parts):
             return
-        if main.counts:
+        if Kind.ALTERNATE in flags:
+            self._by_turns(parts)
+        elif main.pointed and main.act is Act.DO and main.modality is not Kind.MAY and (
+            not main.counts and self._asked_for(main, parts)
+        ):  # fmt: skip
+            return
+        elif main.counts:
             self._counted(main, parts)
         elif main.act is Act.AVOID:
             self._avoided(main, parts)
+        elif _is_bound(main) and self._bounded(main):
+            pass
         elif (
             main.modality is Kind.MAY
+            and not main.wished
             and Kind.BEFORE_THAT not in flags
             and not self._continues(main)
         ):
@@ -109,8 +126,10 @@ class MainClauses:
             self._route.add(Patrolling(tuple(parts)))
         elif main.act is Act.STAY:
             always = Kind.ALWAYS in flags and Kind.LATER not in flags
+            chain = self._route.chain
+            always &= chain is None or parts != chain.places[-1:]  # "end there and stay for good"
             self._route.add((Maintenance if always else Remaining)(tuple(parts)))
-        elif Kind.ALWAYS in flags and (main.assured or is_state(main)):
+        elif Kind.ALWAYS in flags and (main.assured or is_state(main) or Kind.BE in flags):
             kept = Remaining if Kind.LATER in flags else Maintenance
             self._route.add(kept((self._situation(main),)))
         elif _is_remark(main):
@@ -119,6 +138,75 @@ class MainClauses:
             self._route.add(Visit((self._situation(main),)))
         else:
             self._visited(main, parts)
+
+    def _ordered(self, *, strict: bool) -> None:
+        """Read "..., in that order" of clauses that each asked for one thing as one order."""
+        chain = self._route.chain
+        if chain is not None and len(chain.places) > 1:
+            chain.ordered = True
+            chain.strict |= strict
+        elif len(self._spoken) > 1:
+            self._route.patterns = [
+                each for each in self._route.patterns if not isinstance(each, (Chain, Visit))
+            ]
+            places = list(dict.fromkeys(self._spoken))
+            self._route.begin(Chain(places, ordered=True, strict=strict))
+
+    def _by_turns(self, parts: list[Formula]) -> None:
+        """The places by turns; without any, those that were just asked for."""
+        if len(parts) < 2:
+            parts = list(dict.fromkeys((*self._spoken, *parts)))
+            self._route.patterns = [
+                each for each in self._route.patterns if not isinstance(each, (Chain, Visit))
+            ]
+        self._fair = frozenset(parts)
+        self._route.add(FairVisit(tuple(parts)) if len(parts) > 1 else Visit(tuple(parts)))
+        self._route.chain = None
+
+    def _bounded(self, main: Clause) -> bool:
+        """Read "doing a is permitted at b, and nowhere else" as a only at b."""
+        acts = [o for o in main.operands if o.reference.shape is Shape.ACT]
+        places = [o for o in main.operands if o.reference.shape is Shape.PLACE]
+        if not acts or not places:
+            return False
+        where = disjunction(*map(self._one, places))
+        for act in acts:
+            self._route.add(InstantaneousReaction(self._one(act), where))
+        return True
+
+    def _elaborates(self, statement: Statement) -> bool:
+        """Whether a statement only spells out what "by turns" said already."""
+        spoken = {
+            self._placeholder(operand)
+            for clause in (statement.main, *statement.subordinates)
+            for operand in clause.operands
+        }
+        return bool(self._fair) and spoken <= self._fair
+
+    def _asked_for(self, main: Clause, parts: list[Formula]) -> bool:
+        """Demand what was spoken of before: "b only after a, and do visit it", "do both"."""
+        chain = self._route.chain
+        linked = main.link in (Kind.THEN, Kind.ONLY_THEN) or bool(
+            main.flags & {Kind.AFTER_THAT, Kind.LATER_ON, Kind.BEFORE_THAT}
+        )
+        last = self._route.last
+        match last:
+            case DelayedReaction(a, b) if not self._recurrent and set(parts) & {a, b}:
+                # "once a, b; and do a": b after a, and a is to be
+                self._route.patterns.pop()
+                self._route.begin(Chain([a, b]))
+                return True
+        if chain is not None and linked and not any(
+            isinstance(each, PastAvoidance) for each in self._route.patterns
+        ):  # fmt: skip
+            return False
+        if any(operand.link is Kind.OR for operand in main.operands):
+            return False
+        known = chain.places if chain is not None else []
+        for part in parts:
+            if part not in known:
+                self._route.add(Visit((part,)))
+        return True
 
     def _continues(self, main: Clause) -> bool:
         return main.link in (Kind.THEN, Kind.ONLY_THEN) and self._route.chain is not None
@@ -132,6 +220,15 @@ class MainClauses:
             Kind.AFTER_THAT in flags and bool(flags & {Kind.NEXT, Kind.NEXT_INSTANT})
         )
         trigger = self._situation(before)
+        if main.act is Act.AVOID and Kind.BEFORE_THAT in flags and self._spoken:
+            chain = self._route.chain
+            earlier = [each for each in self._spoken if each not in parts]
+            for each in parts:
+                if chain is not None and each in chain.places[1:]:
+                    chain.ordered = True
+                elif earlier:
+                    self._route.add(PastAvoidance(each, earlier[-1], demanded=True))
+            return chain is not None or bool(earlier)
         if main.act is Act.AVOID and Kind.AFTER_THAT in flags and before.act is Act.DO:
             for each in parts:
                 self._route.add(FutureAvoidance(trigger, negated(each) if is_state(main) else each))
@@ -154,6 +251,9 @@ class MainClauses:
         chain = self._route.chain
         if Kind.NO_OTHER in main.flags and self._route.bind(parts):
             return
+        if Kind.NOW in main.flags and len(parts) > 1:
+            self._route.add(GlobalAvoidance((self._response(main, parts),)))
+            return
         last = self._route.patterns[-1] if self._route.patterns else None
         if (
             Kind.AGAIN in main.flags
@@ -163,6 +263,10 @@ class MainClauses:
             self._route.patterns[-1] = Exactly(last.place, last.times)
             return
         on_the_way = chain is not None and all(part in chain.places for part in parts)
+        if Kind.AGAIN in main.flags and not on_the_way:
+            for part in parts:
+                self._route.add(AtMost(part, 1))
+            return
         if chain is not None and on_the_way and Kind.AGAIN in main.flags:
             # "... and do not visit it again": said of a place already on the way.
             chain.strict = True
@@ -173,18 +277,23 @@ class MainClauses:
             self._route.add(GlobalAvoidance(tuple(parts)))
 
     def _counted(self, main: Clause, parts: list[Formula]) -> None:
-        if self._route.chain is not None and self._continues(main) and _is_once(main):
+        if self._route.chain is not None and self._continues(main) and is_once(main):
             self._route.chain.places += parts
             self._route.chain.strict = True
             return
         chain = self._route.chain
-        if chain is not None and _is_once(main) and all(p in chain.places[:-1] for p in parts):
+        if chain is not None and is_once(main) and Kind.BEFORE_THAT in main.flags:
+            if parts != chain.places[-2:-1]:
+                chain.places[-1:-1] = parts
+            chain.strict = True
+            return
+        if chain is not None and is_once(main) and all(p in chain.places[:-1] for p in parts):
             chain.strict = True
             return
         for part in parts:
             for count in main.counts:
                 self._route.add(count_pattern(part, count, forbidden=main.act is Act.AVOID))
-        if _is_once(main) and len(parts) == 1:
+        if is_once(main) and len(parts) == 1:
             # "visit a exactly once, then b": it may yet turn out to begin an order.
             self._route.patterns.pop()
             self._route.chain = Chain(parts, strict=True)
@@ -192,6 +301,7 @@ class MainClauses:
 
     def _visited(self, main: Clause, parts: list[Formula]) -> None:
         flags = main.flags
+        self._spoken += parts
         if any(operand.link is Kind.OR for operand in main.operands):
             self._route.add(Visit((disjunction(*parts),)))
             return
@@ -200,7 +310,7 @@ class MainClauses:
             operand.link is Kind.ONLY_THEN for operand in main.operands
         )
         linked = main.link in (Kind.THEN, Kind.ONLY_THEN) or bool(
-            flags & {Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT, Kind.NTH}
+            flags & {Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT, Kind.NTH, Kind.LATER_ON}
         )
         if Kind.BEFORE_THAT in flags and self._route.chain is not None:
             self._route.chain.places[-1:-1] = parts
@@ -211,14 +321,25 @@ class MainClauses:
             # "a and b, then c": c after each of them.
             self._route.patterns[-1:] = [Chain([place, *parts]) for place in last.places]
             return
+        if linked and self._route.chain is None and isinstance(last, (AtLeast, Exactly)):
+            # "a twice, then b": the count, and b after a
+            self._route.begin(Chain([last.place, *parts]))
+            return
         if linked and self._route.chain is not None:
             self._route.chain.places += parts
             self._route.chain.ordered |= main.link is Kind.ONLY_THEN
             self._route.chain.strict |= Kind.NO_RETURN in flags
             return
+        if isinstance(last, DelayedReaction) and self._afterwards and parts == [last.trigger]:
+            # "once a, b; a is a must": b after a
+            self._route.patterns.pop()
+            self._route.begin(Chain([last.trigger, last.response]))
+            return
         if len(parts) == 1 or then or ordered or flags & {Kind.SEQUENCE, Kind.NO_RETURN}:
             self._route.chain = Chain(parts, ordered, Kind.NO_RETURN in flags)
             self._route.add(self._route.chain)
+            if ordered and len(parts) == 1:
+                self._ordered(strict=Kind.NO_RETURN in flags)
         else:
             self._route.add(Visit(tuple(parts)))
             self._route.chain = None
@@ -231,6 +352,11 @@ def _followed(formula: Formula, sequel: Formula) -> Formula:
             return conjunction(*parts, Eventually(_followed(later, sequel)))
         case _:
             return conjunction(formula, sequel)
+
+
+def _is_bound(main: Clause) -> bool:
+    """Whether a permission is one for nothing else: "only at b", "and nowhere else"."""
+    return main.modality is Kind.MAY and bool(main.flags & {Kind.ONLY, Kind.NO_OTHER})
 
 
 def is_state(clause: Clause) -> bool:
@@ -246,7 +372,8 @@ def _is_remark(clause: Clause) -> bool:
     return (
         clause.modality is None
         and not clause.wished
-        and not clause.flags
+        and clause.told
+        and not clause.flags - {Kind.BE}
         and clause.link in (None, Kind.STOP, Kind.COMMA, Kind.AND)
         and all(
             operand.reference.shape is Shape.STATE and operand.reference.form is Form.FINITE
@@ -255,5 +382,6 @@ def _is_remark(clause: Clause) -> bool:
     )
 
 
-def _is_once(clause: Clause) -> bool:
+def is_once(clause: Clause) -> bool:
+    """Whether a clause asks for exactly one visit."""
     return clause.act is Act.DO and clause.counts in ((Count("=", 1),), (Count("", 1),))

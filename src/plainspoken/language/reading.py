@@ -4,25 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from plainspoken.language.clause import CONNECTORS, Clause, Operand
+from plainspoken.language.clause import CONNECTORS, Clause
 from plainspoken.language.draft import Draft
-from plainspoken.language.grounding import Shape
 from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
-from plainspoken.language.reference import Form, Reference
+from plainspoken.language.lookahead import FLAGS, POINTERS, VERBS
+from plainspoken.language.operand import BEING
+from plainspoken.language.reference import Form
+from plainspoken.language.turning import Turns
 
-FLAGS = frozenset(
-    (
-        Kind.NEXT, Kind.NEXT_INSTANT, Kind.LATER, Kind.NOW, Kind.ALWAYS, Kind.NO_OTHER,
-        Kind.AGAIN_AND_AGAIN, Kind.ANY_ORDER, Kind.SEQUENCE, Kind.IN_ORDER, Kind.NO_RETURN,
-        Kind.FIRST, Kind.BEFORE_THAT, Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT,
-        Kind.RIGHT_BEFORE_THAT, Kind.ONLY, Kind.AGAIN, Kind.ALREADY, Kind.NTH,
-    )
-)  # fmt: skip
 _LINKS = frozenset((Kind.AND, Kind.OR, Kind.BUT, Kind.COMMA, Kind.THEN, Kind.ONLY_THEN))
-_VERBS = frozenset((Kind.GO, Kind.STAY, Kind.LEAVE, Kind.AVOID, Kind.PATROL))
+
 _RETURNS = frozenset(["revisit", "revisiting", "return", "returning", "reenter"])
-_POINTERS = frozenset(("it", "them", "there", "that", "this", "these", "those", "one", "both"))
+
+_SEQUELS = frozenset((Kind.AFTER_THAT, Kind.LATER_ON))
+
+_DENIALS = frozenset(("not", "never", "no"))
 
 
 def _is_past(item: Item) -> bool:
@@ -35,36 +32,12 @@ def clauses(found: Sequence[Item]) -> tuple[Clause, ...]:
     return _Reader(found).clauses()
 
 
-class _Reader:
-    def __init__(self, found: Sequence[Item]) -> None:
-        # Fillers shape nothing, but for words that point back ("there").
-        self._items = [
-            each for each in found
-            if each.kind not in (Kind.FILLER, Kind.UNKNOWN, Kind.RELATIVE) or each.text in _POINTERS
-        ]  # fmt: skip
-        self._done: list[Clause] = []
-        self._draft = Draft()
-        self._link: Kind | None = None
-        self._pause = False
-        self._last: list[Reference] = []
-
+class _Reader(Turns):
     def clauses(self) -> tuple[Clause, ...]:
         for index, item in enumerate(self._items):
             self._read(index, item)
         self._close(None)
         return tuple(self._done)
-
-    def _close(self, link: Kind | None, connector: Kind | None = None) -> None:
-        """End the clause that is being read and begin another."""
-        draft = self._draft
-        open_end = (draft.connector is not None and draft.verb is not None) or draft.negations > 0
-        if self._draft.operands or self._draft.counts or self._draft.flags or open_end:
-            self._done.append(self._draft.clause())
-        elif self._draft.link is not None and connector is None and link is None:
-            link = self._draft.link
-        pause = self._pause or link is Kind.STOP
-        self._draft = Draft(connector=connector, link=link, pause=pause)
-        self._link, self._pause = None, False
 
     def _read(self, index: int, item: Item) -> None:
         kind = item.kind
@@ -74,14 +47,31 @@ class _Reader:
                 self._close(Kind.COMMA)
             elif not self._draft.is_blank:
                 self._close(Kind.STOP)
+        elif kind is Kind.THEN and item.text.startswith("followed") and self._obliged() and (
+            self._link is None
+        ):  # fmt: skip
+            self._leads()
         elif kind in _LINKS:
             self._linked(kind)
+            if kind is Kind.OR and " of" in item.text and not self._draft.operands:
+                self._either_of()
+        elif kind is Kind.ELSEWHERE and not self._acts():
+            self._draft.verb = Kind.AVOID
+        elif kind is Kind.MUST and item.text == "should" and self._inverted(index):
+            self._connected(Kind.WHEN)
         elif kind in CONNECTORS:
             self._connected(kind)
-        elif kind in _VERBS:
+            self._draft.denied = not _DENIALS.isdisjoint(item.text.split())
+        else:
+            self._read_within(index, item)
+
+    def _read_within(self, index: int, item: Item) -> None:
+        """Read what adds to a clause, or turns it, and by itself neither ends nor joins one."""
+        kind = item.kind
+        if kind in VERBS:
             self._verb(index, item)
         elif kind is Kind.REFERENCE and item.reference is not None:
-            self._referred(index, item.reference)
+            self._referred(index, item)
         elif kind in FLAGS:
             self._flagged(index, kind)
         elif kind in (Kind.MUST, Kind.MAY, Kind.ENSURE):
@@ -92,42 +82,34 @@ class _Reader:
         elif kind in (Kind.NOT, Kind.NEVER):
             self._negation(index, kind)
         elif kind is Kind.FORBIDDEN:
-            self._draft.negations += 1
+            self._forbidden()
+        elif kind is Kind.BE:
+            self._draft.being = True
         elif kind is Kind.COUNT and item.count is not None:
             self._draft.counts.append(item.count)
             self._draft.counted = bool(self._draft.operands)
         elif kind is Kind.CEASE:
             self._ceased()
+        elif kind is Kind.BOTH:
+            self._all_of(index, item)
+        elif kind is Kind.LEADS:
+            self._leads()
+        elif kind is Kind.PRECEDED:
+            self._preceded()
         elif kind is Kind.OCCUR:
             self._draft.complete = True
         elif kind is Kind.IT_HAPPENS:
             following = self._items[index + 1] if index + 1 < len(self._items) else None
-            if following is None or following.kind not in (*_VERBS, Kind.REFERENCE):
+            if following is None or following.kind not in (*VERBS, Kind.REFERENCE):
                 self._pointed(situation=True)
         elif kind in (Kind.SUBJECT, Kind.FILLER, Kind.RELATIVE):
             self._subject(index, item)
-
-    def _asks(self) -> bool:
-        """Whether a question tells a situation: "Tank full? Call ..."."""
-        draft = self._draft
-        return (
-            draft.connector is None
-            and draft.verb is None
-            and draft.modality is None
-            and bool(draft.operands)
-            and all(each.reference.form is Form.FINITE for each in draft.operands)
-        )
 
     def _linked(self, kind: Kind) -> None:
         self._pause |= kind is Kind.COMMA
         strength = (None, Kind.COMMA, Kind.AND, Kind.OR, Kind.BUT, Kind.THEN, Kind.ONLY_THEN)
         if strength.index(kind) > strength.index(self._link):
             self._link = kind
-
-    def _take_link(self) -> None:
-        """The clause that begins here is joined by what stands before it."""
-        self._draft.link, self._draft.pause = self._link, self._pause or self._draft.pause
-        self._link, self._pause = None, False
 
     def _connected(self, kind: Kind) -> None:
         draft = self._draft
@@ -140,6 +122,9 @@ class _Reader:
             and draft.verb is None
             and not draft.counts
         ):
+            if draft.negations % 2 and self._done:
+                self._close(None, kind)  # "..., yet never while"
+                return
             # "and immediately after ..., not while ...": what was said so far belongs to the main
             # clause that follows the subordinate one.
             self._carry(kind)
@@ -153,34 +138,10 @@ class _Reader:
         self._draft.flags |= kept.flags & {Kind.NEXT}
         self._link = None
 
-    def _begins(self, index: int) -> bool:
-        """Whether the item after this one begins a clause of its own."""
-        for item in self._items[index + 1 :]:
-            if item.kind in FLAGS:
-                continue
-            if item.kind in _VERBS:
-                return item.form is Form.BASE
-            if item.kind is Kind.REFERENCE:
-                return item.form in (Form.BASE, Form.FINITE)
-            return item.kind in (
-                Kind.MUST, Kind.MAY, Kind.NOT, Kind.NEVER, Kind.ENSURE, Kind.SUBJECT,
-            )  # fmt: skip
-        return False
-
-    def _is_passive(self, index: int) -> bool:
-        """Whether what follows is "(not) be visited", said of the operands before."""
-        for item in self._items[index + 1 :]:
-            if item.kind in (Kind.NOT, Kind.NEVER, Kind.BE, Kind.MUST, Kind.ENSURE) or (
-                item.kind in FLAGS
-            ):
-                continue
-            return item.kind is Kind.OCCUR or (
-                item.kind in _VERBS and item.form is Form.FINITE
-            ) or item.kind is Kind.COUNT  # fmt: skip
-        return False
-
     def _verb(self, index: int, item: Item) -> None:
         draft = self._draft
+        if self._nor and draft.operands:
+            return  # "neither go to a nor enter b"
         listed = draft.lists and self._link in (Kind.AND, Kind.OR)
         before = self._items[index - 1] if index else None
         if draft.operands and listed and before is not None and (
@@ -203,7 +164,7 @@ class _Reader:
         self._link = None
         if item.text.split()[0] in _RETURNS:
             draft.flags.add(Kind.AGAIN)
-        if draft.connector is not None and item.text.split()[0] in ("are", "is", "am"):
+        if item.text.split()[0] in BEING:
             draft.flags.add(Kind.BE)
         if draft.connector is not None and item.form is Form.FINITE and _is_past(item):
             draft.flags.add(Kind.ALREADY)
@@ -216,18 +177,14 @@ class _Reader:
         elif draft.verb is Kind.STAY and item.kind is Kind.GO and item.form is Form.GERUND:
             draft.verb = Kind.PATROL
 
-    def _ceased(self) -> None:
-        """Read "never stop visiting a" as coming back to it, "stop visiting a" as avoiding it."""
-        if self._draft.operands:
-            self._close(self._link)
-        if self._draft.negations % 2:
-            self._draft.verb, self._draft.modality = Kind.PATROL, None
-        else:
-            self._draft.verb = Kind.AVOID
-        self._draft.negations = 0
-
     def _modal(self, index: int, kind: Kind) -> None:
         draft = self._draft
+        following = self._items[index + 1] if index + 1 < len(self._items) else None
+        if draft.operands and kind is Kind.MAY and self._link is None and self._acts() and (
+            draft.connector is None and following is not None and following.form is Form.NOUN
+        ):  # fmt: skip
+            draft.modality = kind  # "doing a is permitted at b"
+            return
         if draft.operands:
             if self._is_passive(index) and (draft.verb is None or draft.connector is not None):
                 if draft.connector is None:
@@ -244,20 +201,24 @@ class _Reader:
         if kind is not Kind.ENSURE:
             self._draft.modality = kind
 
-    def _split(self) -> None:
-        """The last operand of a subordinate clause is the subject of the main clause."""
-        operand = self._draft.operands.pop()
-        self._close(None)
-        self._draft.operands.append(Operand(operand.reference, operand.negated))
-
     def _negation(self, index: int, kind: Kind) -> None:
         draft = self._draft
-        if draft.lists and kind is Kind.NOT and (
+        following = self._items[index + 1] if index + 1 < len(self._items) else None
+        bare = self._items[index].text.split()[0] == "no" and (
+            following is not None and following.form in (Form.NOUN, Form.GERUND)
+        )
+        if draft.lists and kind is Kind.NOT and not (bare and draft.operands) and (
             not draft.operands
             or (self._link in (Kind.AND, Kind.OR) and not self._forbids(index))
         ):  # fmt: skip
             draft.flipped = not draft.flipped if not draft.operands else True
             draft.shared = False
+            return
+        if draft.operands and self._is_last(index):
+            self._behind()
+            return
+        if draft.operands and self._items[index].text == "nor" and draft.negations % 2:
+            self._link, self._nor, draft.apart = Kind.AND, True, True
             return
         if draft.operands:
             listed = draft.verb is None and self._link is Kind.COMMA
@@ -278,39 +239,34 @@ class _Reader:
             return  # "do not ever", "never not": one negation
         self._draft.negations += 1
 
-    def _forbids(self, index: int) -> bool:
-        """Whether a "not" begins a prohibition: "... and do not go there"."""
-        before = self._items[index - 1] if index else None
-        following = self._items[index + 1] if index + 1 < len(self._items) else None
-        return (
-            following is not None
-            and following.form is Form.BASE
-            and not (before is not None and before.kind is Kind.SUBJECT)
-        )
-
     def _flagged(self, index: int, kind: Kind) -> None:
-        if self._draft.operands and self._link is not None and self._begins(index):
-            self._close(self._link)
+        draft = self._draft
+        if draft.operands and self._link is not None:
+            if self._begins(index):
+                self._close(self._link)
+            elif kind in _SEQUELS and draft.connector is None and self._goes_on(index):
+                self._link = Kind.THEN  # "a, and later b"
+                return
         self._draft.flags.add(kind)
 
     def _subject(self, index: int, item: Item) -> None:
         draft = self._draft
         following = self._items[index + 1] if index + 1 < len(self._items) else None
-        if item.text in _POINTERS and not draft.operands and draft.verb is not None:
+        if item.text in POINTERS and not draft.operands and draft.verb is not None:
             self._pointed(situation=False)
             return
         if item.kind is not Kind.SUBJECT:
             return
         begins = following is not None and (
             following.kind in (Kind.MUST, Kind.MAY, Kind.NOT, Kind.NEVER, Kind.ENSURE)
-            or following.kind in _VERBS
+            or following.kind in VERBS
             or (following.kind is Kind.REFERENCE and following.form is not Form.NOUN)
         )
         listed = draft.lists and self._link in (Kind.AND, Kind.OR)
         if listed:
             draft.flipped = draft.shared = False
         if listed and begins and following is not None and following.kind in (
-            *_VERBS, Kind.REFERENCE, Kind.NOT,
+            *VERBS, Kind.REFERENCE, Kind.NOT,
         ):  # fmt: skip
             return  # "when the one is so and you visit the other"
         if draft.operands and begins:
@@ -319,94 +275,4 @@ class _Reader:
             self._take_link()
         if not self._draft.operands:
             self._draft.subject = True
-
-    def _pointed(self, *, situation: bool) -> None:
-        """A word that points back: to what was last said to be so, or to where one last was."""
-        wanted = [
-            each for each in self._last
-            if situation == (each.shape is not Shape.PLACE) or each is self._last[0]
-        ]  # fmt: skip
-        if not wanted or self._draft.operands:
-            return
-        states = [each for each in wanted if each.shape is Shape.STATE and each.form is Form.FINITE]
-        chosen = states[-1] if situation and states else wanted[-1]
-        self._draft.operands.append(Operand(chosen, chosen.negated))
-
-    def _referred(self, index: int, reference: Reference) -> None:
-        draft = self._draft
-        if draft.operands and self._opens(index, reference):
-            self._close(self._link)
-            draft = self._draft
-        elif draft.is_blank and self._link is not None:
-            self._take_link()
-        if reference.form is Form.FINITE and draft.operands and reference.shape is Shape.STATE:
-            draft.flipped = False
-        if reference.never:
-            draft.negations += 1
-        if reference.lasting and draft.connector is None:
-            draft.verb = Kind.STAY
-            draft.flags.add(Kind.ALWAYS)
-        if reference.obliged and draft.modality is None and draft.connector is None:
-            draft.modality = Kind.MUST
-        link = self._link
-        if draft.operands and link in (None, Kind.COMMA, Kind.BUT):
-            link = None
-        if self._is_setting(reference):
-            link = Kind.NOW
-        draft.append(reference, link)
-        self._pause = False
-        self._last.append(reference)
-        self._link = None
-        if reference.form is Form.FINITE:
-            draft.complete = True
-
-    def _is_setting(self, reference: Reference) -> bool:
-        """Whether a place only says where the act before it is done."""
-        return (
-            reference.form is Form.NOUN
-            and self._link is None
-            and bool(self._draft.operands)
-            and self._draft.operands[-1].reference.shape is Shape.ACT
-        )
-
-    def _opens(self, index: int, reference: Reference) -> bool:
-        """Whether a reference begins a clause, and does not continue the list before it."""
-        draft = self._draft
-        if draft.connector is not None and self._link in (Kind.THEN, Kind.ONLY_THEN):
-            return True
-        if draft.counted and self._link is not None:
-            return True  # "one twice, then another"
-        if reference.form is Form.NOUN:
-            if self._is_setting(reference) and not self._is_passive(index):
-                return False
-            following = self._items[index + 1] if index + 1 < len(self._items) else None
-            if following is not None and following.kind in (Kind.BEFORE, Kind.AFTER) and (
-                draft.connector is not None and self._link in (Kind.AND, Kind.COMMA)
-            ):  # fmt: skip
-                return True  # "one before two, and two before three"
-            if draft.connector is None:
-                return self._link is Kind.BUT or (
-                    draft.operands[-1].reference.form is not Form.NOUN
-                    and self._link not in (Kind.AND, Kind.OR)
-                )
-            listed = self._link in (Kind.AND, Kind.OR)
-            return (draft.complete and not listed) or (
-                self._link is Kind.COMMA and (self._is_passive(index) or self._ends_list(index))
-            )
-        if reference.form is Form.GERUND:
-            return self._link is Kind.BUT
-        if reference.form is Form.FINITE:
-            return not draft.lists or self._link in (None, Kind.COMMA, Kind.BUT)
-        before = self._items[index - 1] if index else None
-        if draft.lists and before is not None and before.kind in (Kind.SUBJECT, Kind.NOT):
-            return self._link not in (Kind.AND, Kind.OR)
-        return not (
-            draft.connector is not None and self._link in (Kind.AND, Kind.OR)
-            and any(item.kind in (Kind.COMMA, Kind.THEN) for item in self._items[index:])
-        )  # fmt: skip
-
-    def _ends_list(self, index: int) -> bool:
-        """Whether no "and" or "or" follows that would make this a list."""
-        return not any(
-            item.kind in (Kind.AND, Kind.OR) for item in self._items[index + 1 : index + 4]
-        )
+            self._draft.pronoun = item.text in ("it", "they")

@@ -7,8 +7,10 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from enum import StrEnum, auto
 
-from plainspoken.language.grounding import ARTICLES, Expression, Shape, Vocabulary
-from plainspoken.language.lexicon import PHRASES, Kind, is_general
+from plainspoken.language.frame import ARTICLES
+from plainspoken.language.grounding import COPULAS, Expression, Shape, Vocabulary
+from plainspoken.language.lexicon import is_general
+from plainspoken.language.verbal import is_idle, is_motion, is_noun
 from plainspoken.language.word import Word
 from plainspoken.world.symbol import SymbolId
 
@@ -16,6 +18,8 @@ LEAST_SHARE = 0.5
 """An expression of which less than this is said is not meant."""
 LEAST_SCORE = 0.6
 """Below this, what is said is too little of an expression to stand for it."""
+BARE_VERB = 0.75
+"""What the verb of an act is worth by itself: "sweep" for "to sweep the yard"."""
 CLOSE = 0.12
 """Two readings nearer to each other than this are both put to the person."""
 
@@ -27,10 +31,18 @@ _WITHIN_WORDS = """
     shall needs need to of in on at into from with up down out off its his their any
     some your 's currently inside itself going right just again entirely onto over
     by for that this these those number no actually immediately promptly really
-    always only later then eventually quickly it
+    always only later then eventually quickly it all both each run runs running lie lies
+    lying sit sits stand stands seem seems look looks end ends ended land lands landed reach
+    reaches reached reaching make makes come comes came appear appears
 """
 _WITHIN = ARTICLES | _NEGATIONS | frozenset(_WITHIN_WORDS.split())
+_ATTRIBUTIVE = ARTICLES | frozenset(
+    ("of", "its", "their", "your", "any", "some", "up", "out", "off", "on", "in", "down", "hold")
+)
+"""What may stand between a state and its subject where the state comes first."""
+_STAYING = frozenset(("keep", "stay", "steer", "remain"))
 _LASTING = frozenset(("stay", "stays", "remain", "remains", "kept"))
+_ANYTHING = frozenset(("anything", "something", "anyone", "someone", "one"))
 _NUMBERING = frozenset(("number", "no", "nr", "#"))
 
 
@@ -78,7 +90,15 @@ def references(said: Sequence[Word], vocabulary: Vocabulary) -> tuple[Reference,
         for each in _candidates(said, vocabulary, LEAST_SHARE, covered)
         if each.score >= LEAST_SCORE or each.shape is not Shape.STATE
     ]
-    return tuple(sorted((*whole, *_chosen(rest, said)), key=lambda each: each.first))
+    ordered = sorted((*whole, *_chosen(rest, said)), key=lambda each: each.first)
+    return tuple(_in_list(each, said) for each in ordered)
+
+
+def _in_list(each: Reference, said: Sequence[Word]) -> Reference:
+    """Take what is said of one more thing for a further member of a list, not a clause."""
+    if not said[each.first].joined or each.shape is Shape.PLACE:
+        return each
+    return replace(each, form=Form.NOUN, never=False, obliged=False)
 
 
 def _candidates(
@@ -126,9 +146,16 @@ def _matched(
                 break
         elif not _passes(word, expression.shape):
             break
-    if not at or min(at.values()) != start or len(at) < share * len(expression.parts):
+    if not at or min(at.values()) != start:
         return None
-    if not _is_well_formed(expression, at, said):
+    verbal = expression.shape is Shape.ACT and set(at) == {0}
+    bare = share < 1 and verbal and quality > 0.9
+    if share < 1 and verbal and not bare:
+        return None
+    heads = share < 1 and expression.head and set(at) == {expression.head_part}
+    if len(at) < share * len(expression.parts) and not (bare or heads):
+        return None
+    if not _is_well_formed(expression, at, said) or (bare and is_idle(said, start)):
         return None
     return _reference(expression, at, said, quality)
 
@@ -170,6 +197,8 @@ def _is_well_formed(
     said: Sequence[Word],
 ) -> bool:
     parts = len(expression.parts)
+    if any(part and part - 1 not in at and expression.parts[part].is_number for part in at):
+        return False  # "sweep one" is not "sweep yard 1"
     if expression.shape is Shape.PLACE:
         return 0 in at or not all(said[index].number.isdigit() for index in at.values())
     if expression.shape is Shape.ACT:
@@ -178,33 +207,62 @@ def _is_well_formed(
         behind = [part for part in at if part and at[part] < at[0]]
         return not behind or _is_participle(said[at[0]])
     if not expression.subject:
-        return len(at) == parts
+        first, last = min(at.values()), max(at.values())
+        between = {said[index].text for index in range(first, last)}
+        denied = between & (_NEGATIONS - {"neither", "no"})
+        ordered = not expression.agentless or (at.get(0) == first and not denied)
+        return len(at) == parts and ordered
+    if any(
+        said[index].text == "out" and said[index + 1].text == "of"
+        for index in range(min(at.values()), max(at.values()))
+    ):
+        return False  # out of it is not in it
     subject = [at[part] for part in range(expression.subject) if part in at]
     predicate = [at[part] for part in range(expression.subject, parts) if part in at]
-    if not subject or not predicate or subject != sorted(subject):
+    if not subject or not predicate:
+        return False
+    owned = any(said[index].text == "'s" for index in range(min(subject), max(subject)))
+    if subject != sorted(subject) and not owned:
         return False
     if max(subject) < min(predicate):
         return True
     # The predicate first: "clear site 2", "a full tank", "is site 2 cleared".
-    return max(predicate) < min(subject)
+    between = {said[index].text for index in range(max(predicate) + 1, min(subject))}
+    staying = min(predicate) and said[min(predicate) - 1].stems & _STAYING and "of" in between
+    return max(predicate) < min(subject) and between <= _ATTRIBUTIVE and not staying
 
 
 def _is_participle(word: Word) -> bool:
-    return not word.text.endswith("ing") and word.stems != {word.text}
+    return not word.text.endswith(("ing", "s")) and word.stems != {word.text}
 
 
 def _reference(
     expression: Expression, at: dict[int, int], said: Sequence[Word], quality: float
 ) -> Reference:
     first, last = min(at.values()), max(at.values()) + 1
+    if expression.head and set(at) == {expression.head_part} and first and (
+        said[first - 1].text == "the"
+    ):  # fmt: skip
+        score = BARE_VERB
+    if set(at) == {0} and last < len(said) and said[last].text in _ANYTHING:
+        last += 1
     between = [said[i].text for i in range(first, last) if i not in at.values()]
     never = "never" in between
+    score = expression.weight * quality / len(expression.parts)
+    if expression.shape is Shape.ACT and set(at) == {0} and len(expression.parts) > 1:
+        score = expression.weight * quality * BARE_VERB * (0.8 if expression.instance else 1.0)
+    turned = expression.shape is Shape.STATE and first == min(
+        (at[part] for part in range(expression.subject, len(expression.parts)) if part in at),
+        default=-1,
+    )
+    if turned and first and not _is_told(said, first):
+        score *= 0.97  # "(the tank is) full, the tank ..." is not "a full tank"
     negations = sum(1 for text in between if text in _NEGATIONS and text != "never")
     return Reference(
         symbol=expression.symbol,
         first=first,
         last=last,
-        score=round(expression.weight * quality / len(expression.parts), 3),
+        score=round(score, 3),
         form=_form(expression, at, said),
         shape=expression.shape,
         negated=expression.negated != (negations % 2 == 1),
@@ -215,14 +273,22 @@ def _reference(
     )
 
 
+def _is_told(said: Sequence[Word], index: int) -> bool:
+    """Whether a word stands where an adjective or a verb may: after "a", "not", "to", a mark."""
+    before = said[index - 1]
+    return before.is_mark or before.stems.isdisjoint(COPULAS)
+
+
 def _form(expression: Expression, at: dict[int, int], said: Sequence[Word]) -> Form:
     if expression.shape is Shape.PLACE:
         return Form.NOUN
     subject = [at[part] for part in range(expression.subject) if part in at]
-    if expression.shape is Shape.STATE and (not subject or min(subject) <= min(at.values())):
+    told = min(subject) <= min(at.values()) if subject else not expression.agentless
+    if expression.shape is Shape.STATE and told:
         return Form.FINITE
-    verb = said[at[0] if expression.shape is Shape.ACT else min(at.values())]
-    if verb.text.endswith("ing") and len(verb.stems) > 1:
+    place = at[0] if expression.shape is Shape.ACT else min(at.values())
+    verb = said[place]
+    if (verb.text.endswith("ing") and len(verb.stems) > 1) or is_noun(said, place):
         return Form.GERUND
     if expression.shape is Shape.ACT and at[0] != min(at.values()):
         return Form.FINITE
@@ -230,7 +296,9 @@ def _form(expression: Expression, at: dict[int, int], said: Sequence[Word]) -> F
         return Form.FINITE if verb.stems != {verb.text} else Form.BASE
     # "clear site 2" asks for what "site 2 is cleared" says; "a full tank" only says it.
     part = next(p for p, index in at.items() if index == min(at.values()))
-    inflected = expression.parts[part].stems != {verb.text}
+    inflected = expression.parts[part].stems != {verb.text} or (
+        said[place + 1].text in ARTICLES  # "open the jar", not "the open jar"
+    )
     return Form.BASE if inflected and verb.stems == {verb.text} else Form.FINITE
 
 
@@ -251,7 +319,9 @@ def _chosen(
             i for i, other in enumerate(kept) if each.first < other.last and other.first < each.last
         ]
         if not clash:
-            if not _is_motion(each, said):
+            if each.shape is Shape.PLACE or not is_motion(
+                said, (each.first, each.last), each.parts
+            ):
                 kept.append(each)
         elif len(clash) == 1:
             other = kept[clash[0]]
@@ -272,16 +342,3 @@ def _strain(each: Reference) -> bool:
     """Whether words that fit an act and a state are better read as the other of the two."""
     asked = each.form in (Form.BASE, Form.GERUND)
     return (each.shape is Shape.STATE and asked) or (each.shape is Shape.ACT and not asked)
-
-
-def _is_motion(each: Reference, said: Sequence[Word]) -> bool:
-    """Whether a one-word act such as "move" is only the verb of "move to site 1"."""
-    if each.shape is not Shape.ACT or each.parts > 1 or each.last - each.first > 1:
-        return False
-    moves = any(
-        pattern == ("~" + stem,) and kind is Kind.GO
-        for stem in said[each.first].stems
-        for pattern, kind in PHRASES.get(stem, PHRASES.get("~" + stem, []))
-    )
-    follows = said[each.last].text if each.last < len(said) else ""
-    return moves and follows in ("to", "into", "towards", "toward", "through", "in", "on", "onto")

@@ -40,11 +40,13 @@ class Word:
 
     text:  lower case, a contraction spelled out: "n't" is "not"
     start, end: characters of the utterance
+    joined: whether it begins what is said of one more thing: "(the jar and) the can are sealed"
     """
 
     text: str
     start: int
     end: int
+    joined: bool = False
 
     @property
     def number(self) -> str:
@@ -101,6 +103,13 @@ def _folded(text: str) -> str:
     return "".join(c for c in plain if not unicodedata.combining(c)) or text
 
 
+def is_known(text: str) -> bool:
+    """Whether the dictionary of English has a word."""
+    import simplemma  # noqa: PLC0415
+
+    return bool(simplemma.is_known(text, lang="en"))
+
+
 @cache
 def stems(text: str) -> frozenset[str]:
     """The words that a word may be an inflection of, itself included."""
@@ -111,6 +120,9 @@ def stems(text: str) -> frozenset[str]:
     import simplemma  # noqa: PLC0415
 
     found.add(simplemma.lemmatize(text, lang="en").lower())
+    if text.endswith("ves"):
+        # "leaves" of a tree, and "shelves": the dictionary takes them for verbs.
+        found |= {text[:-3] + end for end in ("f", "fe") if is_known(text[:-3] + end)}
     if text.endswith("ing") and len(text) > 5:
         # The dictionary holds many gerunds as nouns of their own ("building", "closing").
         head = text[:-3]

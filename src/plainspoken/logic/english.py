@@ -209,7 +209,9 @@ class _Speaker:
                 return [f"{self._do(place)} at most {_times(times)}"]
             case Exactly(place, times):
                 return [f"{self._do(place)} exactly {_times(times)}"]
-            case FairVisit() | Choice():
+            case FairVisit(places):
+                return [f"{_listed([self._do(place) for place in places], 'and')} by turns"]
+            case Choice():
                 return [self._clause(pattern.executable)]
             case _:
                 return [self._reaction(pattern)]

@@ -16,152 +16,68 @@ Source: Menghi et al., Specification Patterns for Robotic Missions, TSE 2019; re
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 from plainspoken.logic.formula import (
     Always,
-    And,
     Eventually,
     Formula,
     Iff,
     Implies,
     Next,
-    Not,
     Until,
     WeakNext,
     WeakUntil,
     conjunction,
     disjunction,
 )
+from plainspoken.logic.tour import (
+    AtLeast,
+    AtMost,
+    Exactly,
+    FairVisit,
+    GuardedVisit,
+    OrderedVisit,
+    Patrolling,
+    SameReading,
+    SequencedVisit,
+    StrictOrderedVisit,
+    Visit,
+    negated,
+)
 
-
-class _SameReading:
-    """A pattern whose two readings are one."""
-
-    __slots__ = ()
-
-    @property
-    def literal(self) -> Formula:
-        raise NotImplementedError
-
-    @property
-    def executable(self) -> Formula:
-        return self.literal
-
-
-@dataclass(frozen=True, slots=True)
-class Visit(_SameReading):
-    """Each place at some instant, in any order. One place or more."""
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        return conjunction(*map(Eventually, self.places))
-
-
-@dataclass(frozen=True, slots=True)
-class SequencedVisit(_SameReading):
-    """Each place, and after it the next one."""
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        *before, last = self.places
-        formula: Formula = Eventually(last)
-        for place in reversed(before):
-            formula = Eventually(conjunction(place, formula))
-        return formula
-
-
-@dataclass(frozen=True, slots=True)
-class OrderedVisit(_SameReading):
-    """A sequenced visit in which no place comes before the one in front of it."""
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        guards = (Until(negated(later), earlier) for earlier, later in pairwise(self.places))
-        return conjunction(SequencedVisit(self.places).literal, *guards)
+__all__ = [
+    "NAMES",
+    "AtLeast",
+    "AtMost",
+    "BoundDelay",
+    "BoundReaction",
+    "Choice",
+    "DelayedReaction",
+    "Exactly",
+    "FairVisit",
+    "FutureAvoidance",
+    "GlobalAvoidance",
+    "GuardedVisit",
+    "InstantaneousReaction",
+    "Maintenance",
+    "OrderedVisit",
+    "PastAvoidance",
+    "Patrolling",
+    "Pattern",
+    "PromptPrecedence",
+    "PromptReaction",
+    "Remaining",
+    "SequencedVisit",
+    "StrictOrderedVisit",
+    "Visit",
+    "Wait",
+    "negated",
+    "rising",
+]
 
 
 @dataclass(frozen=True, slots=True)
-class StrictOrderedVisit(_SameReading):
-    """An ordered visit that enters no place twice before the next one."""
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        once = (
-            Until(negated(here), Until(here, Until(negated(here), there)))
-            for here, there in pairwise(self.places)
-        )
-        return conjunction(OrderedVisit(self.places).literal, *once)
-
-
-@dataclass(frozen=True, slots=True)
-class GuardedVisit(_SameReading):
-    """A place, and not before another one, which is only named as a guard."""
-
-    place: Formula
-    guard: Formula
-
-    @property
-    def literal(self) -> Formula:
-        return conjunction(Eventually(self.place), Until(negated(self.place), self.guard))
-
-
-@dataclass(frozen=True, slots=True)
-class FairVisit:
-    """Each place, and none of them again before the one that follows it in the round."""
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        return conjunction(
-            Visit(self.places).literal, *(Always(Implies(a, Next(w))) for a, w in self._waits())
-        )
-
-    @property
-    def executable(self) -> Formula:
-        return conjunction(
-            Visit(self.places).literal,
-            *(Always(Implies(a, WeakNext(w))) for a, w in self._waits()),
-        )
-
-    def _waits(self) -> tuple[tuple[Formula, Formula], ...]:
-        following = (*self.places[1:], self.places[0])
-        return tuple(
-            (here, WeakUntil(negated(here), there))
-            for here, there in zip(self.places, following, strict=True)
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class Patrolling(_SameReading):
-    """Each place again and again. One place or more.
-
-    On finite traces `G F a` says "a at the last instant", so that two disjoint places are
-    unsatisfiable; what a person can have instead is rounds, a sequenced visit repeated.
-    """
-
-    places: tuple[Formula, ...]
-
-    @property
-    def literal(self) -> Formula:
-        return conjunction(*(Always(Eventually(place)) for place in self.places))
-
-    def rounds(self, times: int) -> SequencedVisit:
-        """The places one after another, `times` times over."""
-        return SequencedVisit(self.places * times)
-
-
-@dataclass(frozen=True, slots=True)
-class Maintenance(_SameReading):
+class Maintenance(SameReading):
     """Each of these at every instant. One or more; not in the catalogue."""
 
     kept: tuple[Formula, ...]
@@ -172,7 +88,7 @@ class Maintenance(_SameReading):
 
 
 @dataclass(frozen=True, slots=True)
-class Remaining(_SameReading):
+class Remaining(SameReading):
     """Each of these from some instant to the end. One or more; not in the catalogue."""
 
     kept: tuple[Formula, ...]
@@ -183,7 +99,7 @@ class Remaining(_SameReading):
 
 
 @dataclass(frozen=True, slots=True)
-class GlobalAvoidance(_SameReading):
+class GlobalAvoidance(SameReading):
     """None of these at any instant. One or more."""
 
     avoided: tuple[Formula, ...]
@@ -230,50 +146,7 @@ class FutureAvoidance:
 
 
 @dataclass(frozen=True, slots=True)
-class AtLeast(_SameReading):
-    """At least `times` separate entries (lower restricted avoidance)."""
-
-    place: Formula
-    times: int
-
-    @property
-    def literal(self) -> Formula:
-        here, away = self.place, negated(self.place)
-        formula: Formula = Eventually(here)
-        for _ in range(self.times - 1):
-            again = conjunction(away, Until(away, formula))
-            formula = Eventually(conjunction(here, Until(here, again)))
-        return formula
-
-
-@dataclass(frozen=True, slots=True)
-class AtMost(_SameReading):
-    """At most `times` separate entries (upper restricted avoidance)."""
-
-    place: Formula
-    times: int
-
-    @property
-    def literal(self) -> Formula:
-        return Not(AtLeast(self.place, self.times + 1).literal)
-
-
-@dataclass(frozen=True, slots=True)
-class Exactly(_SameReading):
-    """Exactly `times` separate entries (exact restricted avoidance)."""
-
-    place: Formula
-    times: int
-
-    @property
-    def literal(self) -> Formula:
-        return conjunction(
-            AtLeast(self.place, self.times).literal, AtMost(self.place, self.times).literal
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class Wait(_SameReading):
+class Wait(SameReading):
     """This one until that one."""
 
     kept: Formula
@@ -285,7 +158,7 @@ class Wait(_SameReading):
 
 
 @dataclass(frozen=True, slots=True)
-class InstantaneousReaction(_SameReading):
+class InstantaneousReaction(SameReading):
     """Whenever the trigger, the response at the same instant."""
 
     trigger: Formula
@@ -297,7 +170,7 @@ class InstantaneousReaction(_SameReading):
 
 
 @dataclass(frozen=True, slots=True)
-class DelayedReaction(_SameReading):
+class DelayedReaction(SameReading):
     """Whenever the trigger, the response then or later."""
 
     trigger: Formula
@@ -356,7 +229,7 @@ class PromptPrecedence:
 
 
 @dataclass(frozen=True, slots=True)
-class BoundReaction(_SameReading):
+class BoundReaction(SameReading):
     """The response exactly when the trigger."""
 
     trigger: Formula
@@ -456,17 +329,6 @@ NAMES: dict[type[Pattern], str] = {
     Choice: "choice",
 }
 """What the catalogue calls each pattern."""
-
-
-def negated(formula: Formula) -> Formula:
-    """The negation, without a double one; of a boolean combination, on its parts."""
-    match formula:
-        case Not(operand):
-            return operand
-        case And(operands):
-            return disjunction(*map(negated, operands))
-        case _:
-            return Not(formula)
 
 
 def rising(trigger: Formula) -> Formula:

@@ -29,6 +29,7 @@ from plainspoken.logic.pattern import (
     BoundReaction,
     DelayedReaction,
     Exactly,
+    FairVisit,
     FutureAvoidance,
     GlobalAvoidance,
     InstantaneousReaction,
@@ -82,15 +83,38 @@ def recognised(formula: Formula) -> tuple[Pattern | Formula, ...]:
     """
     left = list(dict.fromkeys(conjuncts(formula)))
     found: list[Pattern | Formula] = []
+    turns = _turns(left)
     while left:
         head = left[0]
-        pattern = next((each for each in _candidates(head) if _within(each, left)), None)
+        pattern = next((each for each in (*turns, *_candidates(head)) if _within(each, left)), None)
         if pattern is None:
             found.append(left.pop(0))
             continue
         for part in _parts(pattern, left):
             left.remove(part)
         found.append(pattern)
+    return tuple(found)
+
+
+def _turns(left: list[Formula]) -> tuple[FairVisit, ...]:
+    """The fair visits whose rounds are closed: none of the places again before the next one."""
+    waits: dict[Formula, Formula] = {}
+    for each in left:
+        match each:
+            case Always(
+                Implies(here, WeakNext(WeakUntil(Not(again), there)))
+                | Implies(here, Next(WeakUntil(Not(again), there)))
+            ) if here == again:
+                waits[here] = there
+    found: list[FairVisit] = []
+    for each in left:
+        if not isinstance(each, Eventually) or each.operand not in waits:
+            continue
+        places = [each.operand]
+        while waits.get(places[-1]) not in (None, *places):
+            places.append(waits[places[-1]])
+        if len(places) > 1 and waits.get(places[-1]) == places[0]:
+            found.append(FairVisit(tuple(places)))
     return tuple(found)
 
 

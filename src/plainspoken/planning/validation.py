@@ -24,7 +24,7 @@ counts is the one that is asked about.
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.logic.formula import Formula, atoms
@@ -73,7 +73,8 @@ def validate(problem: Problem, goal: Formula, policy: Policy) -> Valid | Invalid
             f"{_difference(problem.initial, first.state | policy.static)}",
             first.id,
         )
-    reachable = _reachable(nodes, first)
+    policy, nodes = _with_what_changes(problem, policy, nodes)
+    reachable = _reachable(nodes, nodes[first.id])
     if isinstance(reachable, Invalid):
         return reachable
     for node in reachable:
@@ -87,8 +88,26 @@ def validate(problem: Problem, goal: Formula, policy: Policy) -> Valid | Invalid
         repeated = _on_a_cycle(reachable)
         if repeated is not None:
             return Invalid("a strong policy may not come back to a node, but here it can", repeated)
-    violated = _violated(problem, goal, policy, nodes, reachable)
+    violated = _violated(problem, goal, policy, nodes)
     return violated or Valid(len(reachable), _gaps(policy, reachable))
+
+
+def _with_what_changes(
+    problem: Problem, policy: Policy, nodes: dict[NodeId, PolicyNode]
+) -> tuple[Policy, dict[NodeId, PolicyNode]]:
+    """The same policy, its atoms static only where no action changes their predicate.
+
+    A policy made elsewhere may call an atom static because nothing changes it on its way.
+    """
+    changing = problem.changing_predicates
+    loose = frozenset(atom for atom in policy.static if atom.split()[0] in changing)
+    if not loose:
+        return policy, nodes
+    nodes = {id: replace(node, state=node.state | loose) for id, node in nodes.items()}
+    gaps = tuple(replace(gap, state=gap.state | loose) for gap in policy.gaps)
+    return replace(
+        policy, static=policy.static - loose, nodes=tuple(nodes.values()), gaps=gaps
+    ), nodes
 
 
 def _gaps(policy: Policy, reachable: list[PolicyNode]) -> int:
@@ -117,23 +136,21 @@ def _wrong_step(
     if node.action is None:
         return Invalid("the policy stops here, yet goes on", node.id) if node.successors else None
     try:
-        wanted = set(successors(problem, node.state | policy.static, node.action))
+        wanted = set(successors(problem, node.state, node.action, policy.static))
     except PlainspokenError as error:
         return Invalid(error.what, node.id)
-    given = [nodes[id].state | policy.static for id in node.successors]
+    given = [nodes[id].state for id in node.successors]
     for state, id in zip(given, node.successors, strict=True):
         if state not in wanted:
             return Invalid(f"{node.action!r} cannot lead to its successor {id}", node.id)
     missing = wanted.difference(given)
     if policy.kind == "weak":
-        named = {gap.state | policy.static for gap in policy.gaps if gap.node == node.id}
+        named = {gap.state for gap in policy.gaps if gap.node == node.id}
         if not named <= missing:
             return Invalid(f"a gap of {node.action!r} is no outcome, or has a successor", node.id)
         missing -= named
     if missing:
-        changes = " or ".join(
-            sorted(_difference(node.state | policy.static, state) for state in missing)
-        )
+        changes = " or ".join(sorted(_difference(node.state, state) for state in missing))
         return Invalid(f"an outcome of {node.action!r} has no successor: {changes}", node.id)
     if len(set(given)) != len(given):
         return Invalid(f"two successors by {node.action!r} are the same state", node.id)
@@ -183,7 +200,6 @@ def _violated(
     goal: Formula,
     policy: Policy,
     nodes: dict[NodeId, PolicyNode],
-    reachable: list[PolicyNode],
 ) -> Invalid | None:
     """A node where the policy may stop though the trace so far violates the formula.
 
@@ -192,10 +208,11 @@ def _violated(
     """
     symbols = [_denoted(name, problem) for name in sorted(atoms(goal))]
     valuations = Valuations(goal)
-    states = {node.id: node.state | policy.static for node in reachable}
+    # What the goal reads of the static atoms; there may be thousands of others in each state.
+    read = policy.static & {symbol.atom for symbol in symbols if isinstance(symbol, AtomSymbol)}
 
     def visit(id: NodeId, action: GroundAction | None) -> Visit:
-        return id, letter(symbols, states[id], action)
+        return id, letter(symbols, nodes[id].state | read, action)
 
     first = visit(policy.initial, None)
     before: dict[Visit, list[Visit]] = {}

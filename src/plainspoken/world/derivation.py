@@ -172,13 +172,14 @@ class _Naming:
                     yield Landmark(id, called[0], LandmarkType.LOCATION, called[1:])
                     continue
                 # Of several robots the bare name of a place may mean any: it stays askable.
-                robot = self._name(movings[0])
+                robot, *others = self._objects[movings[0]]
                 ways = tuple(
                     f"{robot} {verb} {called[0]}"
                     for verb in ("to", "in", "visits", "visit", "goes to", "go to", "is at")
                 )
+                more = tuple(f"{other} at {called[0]}" for other in others)
                 yield Landmark(
-                    id, f"{robot} at {called[0]}", LandmarkType.LOCATION, (*ways, *called)
+                    id, f"{robot} at {called[0]}", LandmarkType.LOCATION, (*ways, *more, *called)
                 )
 
     # Actions.
@@ -291,7 +292,7 @@ class _Naming:
             case (one, other):
                 for called in self._objects[one][:2]:
                     for second in self._objects[other][:2]:
-                        yield self._of_two(words, one, called, second)
+                        yield self._of_two(words, (one, other), called, second)
             case _:
                 yield " ".join([*words, *map(self._name, arguments)])
 
@@ -307,10 +308,15 @@ class _Naming:
             return f"{called} is {' '.join(words[1:])}"
         return f"the {' '.join(words[:-1])} of {called} is {tail}"
 
-    def _of_two(self, words: list[str], one: str, called: str, second: str) -> str:
+    def _of_two(self, words: list[str], both: tuple[str, str], called: str, second: str) -> str:
+        one, other = both
         kinds = {word for kind in self._kinds(one) for word in spaced(kind).split()}
         rest = [word for word in words[:-1] if word not in kinds and word not in ("obj", "object")]
         tail = words[-1]
+        if other in self._place_objects and tail not in _RELATIONS:
+            article = ["the"] if words[0] in _RELATIONS else []
+            joined = " ".join([words[0], *article, *words[1:]] if article else words)
+            return f"{called} is {joined} at {second}"
         if tail in _RELATIONS:
             return f"{called} is {' '.join([*rest, tail])} {second}"
         if tail.endswith(("ing", "ed")):

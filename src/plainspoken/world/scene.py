@@ -6,7 +6,8 @@ validator, the simulator and the explanations use this one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
+from dataclasses import dataclass
 from itertools import product
 from typing import assert_never
 
@@ -40,8 +41,22 @@ Change = tuple[frozenset[GroundAtom], frozenset[GroundAtom]]
 """What one outcome adds and deletes."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Either:
+    """The atoms of two states, without making a third: the static ones may be thousands."""
+
+    changing: State
+    static: State
+
+    def __contains__(self, atom: object) -> bool:
+        return atom in self.changing or atom in self.static
+
+
 def satisfies(
-    state: State, condition: Condition, problem: Problem, binding: Binding | None = None
+    state: Container[GroundAtom],
+    condition: Condition,
+    problem: Problem,
+    binding: Binding | None = None,
 ) -> bool:
     """Whether a condition holds in a state, its variables bound."""
     bound = binding or {}
@@ -90,16 +105,20 @@ def is_applicable(problem: Problem, state: State, action: GroundAction) -> bool:
     )
 
 
-def successors(problem: Problem, state: State, action: GroundAction) -> tuple[State, ...]:
+def successors(
+    problem: Problem, state: State, action: GroundAction, static: State = frozenset()
+) -> tuple[State, ...]:
     """Every state that the action can lead to, each once, in the order of the outcomes.
 
     An outcome that changes nothing is among them.
+    static: further true atoms, of predicates that no action changes; left out of the result
     raises PlainspokenError: when the action is not applicable
     """
+    world = _Either(state, static)
     found: dict[State, None] = {}
     for schema, binding in instances(problem, action):
-        if satisfies(state, schema.precondition, problem, binding):
-            for added, deleted in _changes(schema.effect, state, problem, binding):
+        if satisfies(world, schema.precondition, problem, binding):
+            for added, deleted in _changes(schema.effect, world, problem, binding):
                 found.setdefault((state - deleted) | added)
     if not found:
         raise PlainspokenError(f"the action {action!r} is not applicable in this state")
@@ -117,7 +136,9 @@ def applicable_actions(problem: Problem, state: State) -> Iterator[GroundAction]
                 yield " ".join([schema.name, *binding.values()])
 
 
-def _changes(effect: Effect, state: State, problem: Problem, binding: Binding) -> list[Change]:
+def _changes(
+    effect: Effect, state: Container[GroundAtom], problem: Problem, binding: Binding
+) -> list[Change]:
     """What each outcome of an effect adds and deletes in a state."""
     nothing: Change = (frozenset(), frozenset())
     match effect:
