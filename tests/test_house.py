@@ -26,7 +26,7 @@ RULE = re.compile(r'^\s*"(?P<rule>[A-Z]{1,5}\d{0,4})",(?P<rest>.*)$')
 TARGET = re.compile(r"^(?P<target>[a-z][a-z-]*):(?!=)(?P<rest>.*)$", re.MULTILINE)
 CODE = re.compile(r"^```.*?^```|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 # At the start of a line of code, or of a span: "make sure" is said in transcripts.
-MAKE = re.compile(r"(?:^|`|\$ )make +(?P<target>[a-z][a-z-]*)", re.MULTILINE)
+MAKE = re.compile(r"(?:^|`|\$ |&& )make +(?P<target>[a-z][a-z-]*)", re.MULTILINE)
 
 
 def files_of_the_repository() -> list[Path]:
