@@ -117,12 +117,13 @@ def referents_of(plain: str, lexicon: Lexicon) -> Referents:
     speaks_to_me = bool({"you", "your", "yourself", "robot"} & set(plain.split()))
     atoms = tuple(index.atoms_for(predicates, objects, speaks_to_me=speaks_to_me))
     visits: tuple[GroundAtom, ...] = ()
-    if MOTION & set(lemmas.values()) or re.search(r"\b(?:been|was|were|went|away|out)\b", plain):
+    if MOTION & set(lemmas.values()) or _BEEN.search(plain):
         visits = tuple(index.visits(objects))
         if not set(objects) <= {name for atom in visits for name in atom.split()}:
             visits = ()  # Something is named that is no place: it is not about where I am.
-    if not actions and visits and MOTION & set(lemmas.values()):
-        actions = tuple(name for name, _ in index.goals)
+    if visits and MOTION & set(lemmas.values()):
+        # Whatever takes me there: "go" may be the very word for one of several ways to move.
+        actions = tuple(dict.fromkeys([*actions, *(name for name, _ in index.goals)]))
     return Referents(
         objects, kinds, predicates, actions, atoms, index.verbs, visits, tuple(index.goals)
     )
