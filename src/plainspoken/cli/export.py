@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import click
@@ -56,20 +57,9 @@ _compact = click.option(
 @_compact
 @site_options
 @_out
-def dot(
-    policy: Path,
-    *,
-    words: bool,
-    compact: bool,
-    domain: Path | None,
-    problem: Path | None,
-    landmarks: Path | None,
-    out: Path | None,
-) -> None:
+def dot(policy: Path, *, words: bool, compact: bool, out: Path | None, **site: Path | None) -> None:
     """POLICY, which plan --out wrote, as a graph in DOT (Graphviz)."""
-    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
-    drawn = diagram.compact if compact else diagram.whole
-    _written(diagram.dot(drawn(read_policy(policy), action=action, atom=atom)), out)
+    _written(diagram.dot(_drawn(policy, site, words=words, compact=compact)), out)
 
 
 @export.command()
@@ -79,19 +69,10 @@ def dot(
 @site_options
 @_out
 def mermaid(
-    policy: Path,
-    *,
-    words: bool,
-    compact: bool,
-    domain: Path | None,
-    problem: Path | None,
-    landmarks: Path | None,
-    out: Path | None,
+    policy: Path, *, words: bool, compact: bool, out: Path | None, **site: Path | None
 ) -> None:
     """POLICY, which plan --out wrote, as a Mermaid flowchart for Markdown pages."""
-    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
-    drawn = diagram.compact if compact else diagram.whole
-    _written(diagram.mermaid(drawn(read_policy(policy), action=action, atom=atom)), out)
+    _written(diagram.mermaid(_drawn(policy, site, words=words, compact=compact)), out)
 
 
 @export.command()
@@ -99,22 +80,26 @@ def mermaid(
 @_words
 @site_options
 @_out
-def rules(
-    policy: Path,
-    *,
-    words: bool,
-    domain: Path | None,
-    problem: Path | None,
-    landmarks: Path | None,
-    out: Path | None,
-) -> None:
+def rules(policy: Path, *, words: bool, out: Path | None, **site: Path | None) -> None:
     """POLICY, which plan --out wrote, as a short list: if these facts hold, then this action."""
-    action, atom = _labels(chosen_site(domain, problem, landmarks)) if words else (str, str)
+    action, atom = _labels(site, words=words)
     _written(diagram.rules(read_policy(policy), action=action, atom=atom), out)
 
 
-def _labels(site: Site) -> tuple[diagram.Words, diagram.Words]:
-    lexicon = Lexicon(site.problem, site.landmarks)
+def _drawn(
+    policy: Path, site: Mapping[str, Path | None], *, words: bool, compact: bool
+) -> diagram.Drawing:
+    action, atom = _labels(site, words=words)
+    draw = diagram.compact if compact else diagram.whole
+    return draw(read_policy(policy), action=action, atom=atom)
+
+
+def _labels(site: Mapping[str, Path | None], *, words: bool) -> tuple[diagram.Words, diagram.Words]:
+    """How to write actions and atoms: as in PDDL, or in the words of the site that is named."""
+    if not words:
+        return str, str
+    chosen: Site = chosen_site(site["domain"], site["problem"], site["landmarks"])
+    lexicon = Lexicon(chosen.problem, chosen.landmarks)
     return lambda action: lexicon.deed(action).bare, lambda atom: lexicon.clause(atom).said()
 
 

@@ -15,18 +15,12 @@ from itertools import pairwise
 from plainspoken.logic.syntax import is_proposition
 from plainspoken.world.domain import (
     Action,
-    Add,
     AllOf,
     AtomCondition,
     Condition,
-    Delete,
-    Effect,
-    ForEach,
-    OneOf,
     Parameter,
     Problem,
-    Together,
-    When,
+    changed_atoms,
 )
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
 from plainspoken.world.symbol import flat
@@ -75,8 +69,8 @@ class _Naming:
         """
         found: dict[str, set[str]] = {}
         for action in self._problem.domain.actions:
-            gone = [a for a, added in _changes(action.effect) if not added]
-            come = [a for a, added in _changes(action.effect) if added]
+            gone = [a for a, added in changed_atoms(action.effect) if not added]
+            come = [a for a, added in changed_atoms(action.effect) if added]
             for old in gone:
                 for new in come:
                     if (
@@ -237,7 +231,7 @@ class _Naming:
     def _instances(self, schema: Action) -> Iterator[Landmark]:
         moves = any(
             atom.predicate in self._motions and atom.terms[-1] in _names(schema)
-            for atom, added in _changes(schema.effect)
+            for atom, added in changed_atoms(schema.effect)
             if added
         )
         made = 0
@@ -348,7 +342,7 @@ class _Naming:
         found: dict[str, set[tuple[frozenset[str], ...]]] = {}
         for action in self._problem.domain.actions:
             needed = self._needed(action)
-            for atom, added in _changes(action.effect):
+            for atom, added in changed_atoms(action.effect):
                 if added:
                     way = tuple(needed.get(term, frozenset()) for term in atom.terms)
                     found.setdefault(atom.predicate, set()).add(way)
@@ -397,20 +391,6 @@ def _completed(schema: Action, at: str, called: str) -> str:
 
 def _names(schema: Action) -> frozenset[str]:
     return frozenset(parameter.name for parameter in schema.parameters)
-
-
-def _changes(effect: Effect) -> Iterator[tuple[AtomCondition, bool]]:
-    """The atoms that an effect may add (True) or delete (False)."""
-    match effect:
-        case Add(atom):
-            yield atom, True
-        case Delete(atom):
-            yield atom, False
-        case Together(effects) | OneOf(effects):
-            for part in effects:
-                yield from _changes(part)
-        case When(_, part) | ForEach(_, part):
-            yield from _changes(part)
 
 
 def _required(condition: Condition) -> Iterator[AtomCondition]:
