@@ -33,6 +33,12 @@ MEANT = {
         Deliver the medicine only while the cabinet is locked. | G(deliver -> locked)
         The moment the battery is low, go to the dock, and at no other time. | G(low <-> X dock)
         Call a nurse if, and only if, the fire alarm is on. | G(alarm <-> nurse)
+        Go to ward 1 and then to ward 2, without visiting ward 1 a second time before ward 2 and without visiting ward 2 before ward 1. | F(w1 & F w2) & (!w2 U w1) & (!w1 U (w1 U (!w1 U w2)))
+        Visit ward 3, then the lab: no lab before ward 3, and no returning to ward 3 until you have been to the lab. | F(w3 & F lab) & (!lab U w3) & (!w3 U (w3 U (!w3 U lab)))
+        Each call to a nurse has to be followed in the very next step by delivering the medicine, and the medicine may be delivered at no other time. | G(nurse <-> X deliver)
+        keep out of ward 3 at all times pls | G !w3
+        Visit ward 2, and do not set a foot in ward 2 before you have been to ward 1. | F w2 & (!w2 U w1)
+        Wards 1, 2 and 3 are to be visited in that order, none of them ahead of the one before it. | F(w1 & F(w2 & F w3)) & (!w2 U w1) & (!w3 U w2)
         Give ward 3 a miss. | G !w3
         Ward 2 is taboo. | G !w2
         Keep clear of ward 1 and ward 2 all shift long. | G !w1 & G !w2

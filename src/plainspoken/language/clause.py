@@ -81,7 +81,9 @@ def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
     made: list[Statement] = []
     waiting: list[Clause] = []
     preposed = False
-    for index, clause in enumerate(found):
+    for index, said in enumerate(found):
+        forbids = _forbids(said, made, found[index + 1 :])
+        clause = replace(said, connector=None, act=Act.AVOID) if forbids else said
         if clause.connector is None:
             if preposed and not waiting and _shares(clause, made[-1], found[index + 1 :]):
                 waiting = list(made[-1].subordinates)
@@ -99,6 +101,26 @@ def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
     if waiting and made:
         made[-1] = Statement(made[-1].main, (*made[-1].subordinates, *waiting))
     return tuple(map(_restricted, made))
+
+
+def _forbids(clause: Clause, made: Sequence[Statement], rest: Sequence[Clause]) -> bool:
+    """Whether "..., without doing a before b" forbids a until b."""
+    return (
+        clause.connector is Kind.WITHOUT
+        and clause.act is Act.DO
+        and clause.link in (Kind.COMMA, Kind.AND)
+        and bool(clause.operands)
+        and bool(made)
+        and (made[-1].main.act is Act.DO or Kind.BEFORE in _connectors(made[-1]))
+        and bool(rest)
+        and rest[0].connector in (Kind.BEFORE, Kind.UNTIL)
+        and rest[0].link is None
+        and bool(rest[0].operands)
+    )
+
+
+def _connectors(statement: Statement) -> frozenset[Kind | None]:
+    return frozenset(each.connector for each in statement.subordinates)
 
 
 def _shares(clause: Clause, statement: Statement, rest: Sequence[Clause]) -> bool:

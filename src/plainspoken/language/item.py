@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from plainspoken.language.grounding import Shape
@@ -117,7 +117,26 @@ def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
         if item is not None:
             made.append(item)
         index = item.last if item is not None else index + 1
-    return tuple(made)
+    return tuple(_without_idioms(made))
+
+
+def _without_idioms(made: Sequence[Item]) -> Iterator[Item]:
+    """Pass over what is set in a place that is not to be entered: "do not set a boot in site 2"."""
+    for index, item in enumerate(made):
+        before = [each for each in made[max(index - 3, 0) : index] if each.text not in ("a", "any")]
+        set_down = [each.text for each in before[-1:]] == ["set"]
+        denied = any(each.kind in (Kind.NOT, Kind.NEVER) for each in before[-2:])
+        after = [each for each in made[index + 1 : index + 4] if each.text not in ("the", "a")]
+        enters = (
+            len(after) > 1
+            and after[0].text in ("in", "into", "inside", "on", "onto")
+            and after[1].reference is not None
+            and after[1].reference.shape is Shape.PLACE
+        )
+        if item.kind is Kind.UNKNOWN and set_down and denied and enters:
+            yield replace(item, kind=Kind.FILLER)
+        else:
+            yield item
 
 
 def _is_filled(said: Sequence[Word], reference: Reference) -> bool:
@@ -181,6 +200,9 @@ def _next(said: Sequence[Word], index: int, end: int) -> Item | None:
     if word.is_mark:
         kind = MARKS.get(word.text) or (Kind.AND if word.text in "&/+" else None)
         return Item(kind, index, index + 1, word.text) if kind else None
+    following = said[index + 1].text if index + 1 < len(said) else "."
+    if word.text == "otherwise" and following in ".;!":
+        return Item(Kind.NO_OTHER, index, index + 1, word.text)  # "b is never done otherwise"
     count = _nth(said, index, end) or _count(said, index, end)
     phrase = _pointing(_phrase(said, index, end), said)
     if count and (phrase is None or count.last >= phrase.last):
@@ -209,6 +231,8 @@ def _pointing(phrase: Item | None, said: Sequence[Word]) -> Item | None:
         return replace(phrase, kind=Kind.IN_ORDER)  # "b after a, never before"
     if following in ".;!" and phrase.kind is Kind.ONLY_THEN:
         return replace(phrase, kind=Kind.NO_OTHER)  # "b when a, and only then"
+    if following == "to" and phrase.kind is Kind.NO_RETURN and phrase.text == "no returning":
+        return Item(Kind.NOT, phrase.first, phrase.first + 1, "no")  # "no returning to a until b"
     if phrase.kind is Kind.NOT and phrase.text.endswith("forbidden to") and (
         following in ("the", "you", "it", "them", "us")
     ):  # fmt: skip

@@ -88,7 +88,7 @@ class _Lifter(Reactions):
         subordinates = [each for each in statement.subordinates if each.operands]
         again = main.act is Act.AVOID and Kind.AGAIN in main.flags
         if not main.operands and self._before is not None and (subordinates or again):
-            main = _with_operands(main, self._before.operands)
+            main = _with_operands(main, _last_named(self._before.operands))
         if Kind.NO_OTHER in main.flags and not main.operands:
             before = self._before
             if before is not None and before.modality is Kind.MAY and self._bounded(before):
@@ -322,6 +322,12 @@ def _options(said: Sequence[Statement]) -> list[list[list[Statement]]]:
         else:
             groups.append([[statement]])
     return groups
+
+
+def _last_named(operands: tuple[Operand, ...]) -> tuple[Operand, ...]:
+    """What is spoken of further: in "a, then b: b may not ..." the b that is named anew."""
+    symbols = [each.reference.symbol for each in operands]
+    return operands[-1:] if symbols and symbols[-1] in symbols[:-1] else operands
 
 
 def _with_operands(clause: Clause, operands: tuple[Operand, ...]) -> Clause:

@@ -101,6 +101,8 @@ class MainClauses:
         """A main clause without a subordinate one."""
         parts = self._all(main)
         flags = main.flags
+        if Kind.NO_OTHER in flags and self._route.bind(parts):
+            return
         if self._points_back(main, parts):
             return
         if Kind.ALTERNATE in flags:

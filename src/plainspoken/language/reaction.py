@@ -121,6 +121,8 @@ class Reactions(MainClauses):
     def _once_before(self, parts: list[Formula], later: list[Formula]) -> None:
         """Read "a exactly once before b": a strict order."""
         chain = self._route.chain
+        if len(parts) == len(later) == 1 and self._route.enter_once(parts[0], later[0]):
+            return
         if chain is not None and chain.places[-1:] == parts:
             chain.places += later
             chain.strict = True

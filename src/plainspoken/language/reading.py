@@ -17,6 +17,8 @@ _LINKS = frozenset((Kind.AND, Kind.OR, Kind.BUT, Kind.COMMA, Kind.THEN, Kind.ONL
 
 _RETURNS = frozenset(["revisit", "revisiting", "return", "returning", "reenter"])
 
+_BACK = frozenset(["come", "coming", "go", "going", "get", "getting"])
+
 _SEQUELS = frozenset((Kind.AFTER_THAT, Kind.LATER_ON))
 
 _DENIALS = frozenset(("not", "never", "no"))
@@ -86,6 +88,8 @@ class _Reader(Turns):
         elif kind is Kind.BE:
             self._draft.being = True
         elif kind is Kind.COUNT and item.count is not None:
+            if self._names_again(index):
+                self._close(self._link)  # "a then b, with exactly one visit to a before b"
             self._draft.counts.append(item.count)
             self._draft.counted = bool(self._draft.operands)
         elif kind is Kind.CEASE:
@@ -155,14 +159,17 @@ class _Reader(Turns):
                 if item.kind is not Kind.GO:
                     draft.verb = item.kind
                 return
-            if item.form is Form.GERUND and self._link in (Kind.AND, Kind.OR, Kind.COMMA):
+            if item.form is Form.GERUND and self._link in (Kind.AND, Kind.OR, Kind.COMMA) and not (
+                self._names_again(index)
+            ):  # fmt: skip
                 return
             self._close(self._link)
             draft = self._draft
         elif self._link is not None and draft.is_blank:
             self._take_link()
         self._link = None
-        if item.text.split()[0] in _RETURNS:
+        first, *more = item.text.split()
+        if first in _RETURNS or (first in _BACK and more == ["back"]):
             draft.flags.add(Kind.AGAIN)
         if item.text.split()[0] in BEING:
             draft.flags.add(Kind.BE)
@@ -176,6 +183,15 @@ class _Reader(Turns):
             draft.verb = Kind.AVOID
         elif draft.verb is Kind.STAY and item.kind is Kind.GO and item.form is Form.GERUND:
             draft.verb = Kind.PATROL
+
+    def _names_again(self, index: int) -> bool:
+        """Whether what follows speaks, behind a pause or "and", of an operand once more."""
+        named = next((each.reference for each in self._items[index:] if each.reference), None)
+        return (
+            self._link in (Kind.AND, Kind.COMMA)
+            and named is not None
+            and any(each.reference.symbol == named.symbol for each in self._draft.operands)
+        )
 
     def _modal(self, index: int, kind: Kind) -> None:
         draft = self._draft

@@ -73,13 +73,13 @@ class RecordedModel:
             "messages": [{"role": str(each.role), "text": each.text} for each in messages],
             **ending,
         }
-        line = json.dumps(entry) + "\n"
+        record = json.dumps(entry) + "\n"
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            # One write of one line: two processes that append do not tear each other's.
+            # One write of one record: two processes that append do not tear each other's.
             log = os.open(self.folder / LOG, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
             try:
-                os.write(log, line.encode())
+                os.write(log, record.encode())
             finally:
                 os.close(log)
         except OSError as error:

@@ -131,6 +131,8 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         a row; must be followed by the next; followed by the next; is followed by the next
     """,
     Kind.IN_ORDER: """
+        none of them ahead of the one before it; none of them before the one before it;
+        none ahead of the one before it; none before the one before it;
         in this order; in that order; in order; in exactly that order; in the given order;
         in exactly this order; in that specific order; in this specific order; in the
         following order; in the order given; in that exact order; in this exact order; in
@@ -338,9 +340,10 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         over; back; around; just; simply; also; really; some; any; every; this; these;
         those; there; here; your; its; their; his; her; my; our; have; has; had; ok; okay;
         well; so; as; than; hey; hi; hello; thanks; thank; very; quite; even; still; now;
-        today; please; location; locations; place; places; area; areas; spot; position;
-        positions; stop; stops; stopping; point; following; list; like; want; wish; time;
-        times; moment; instant; step; steps; about; need; bit; little; kind; such; same;
+        today; please; pls; plz; thx; location; locations; place; places; area; areas;
+        spot; position; positions; stop; stops; stopping; point; following; list; like;
+        want; wish; time; times; moment; instant; step; steps; about; need; bit; little; kind;
+        such; same;
         else; other; others; them; everything; go ahead; to be; along; way; previous;
         path; own; specific; given; particular; order; able; possible; certain; sure; at
         least; at most; while; would you; could you; can you; will you; mission; task;
