@@ -220,7 +220,7 @@ def _about_whole(shape: Shape, referents: Referents) -> Kind | None:
     ):
         return Kind.PROGRESS
     if shape.has(rf"(?:{_TASK}|parts?|half|portion|bits?|share)") and not shape.has(
-        f"current|now|at the moment|{_LATEST}|busy|moment"
+        f"current|now|at the moment|at present|being|{_LATEST}|busy|moment"
     ):
         return Kind.PROGRESS
     if shape.wh == "where" and shape.subject == "we":
@@ -348,6 +348,10 @@ def _is_past(shape: Shape, referents: Referents) -> bool:
 
 
 def _is_now(shape: Shape, referents: Referents) -> bool:
+    if re.fullmatch(_STEP, shape.noun) and shape.has(
+        "at the moment|right now|at present|currently"
+    ):
+        return True
     if shape.wh == "where" or (shape.wh in ("how many", "which") and referents.predicates):
         return False
     if re.match(
