@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,14 +22,15 @@ from plainspoken.logic.formula import (
 )
 
 
-class SameReading:
+class SameReading(ABC):
     """A pattern whose two readings are one."""
 
     __slots__ = ()
 
     @property
+    @abstractmethod
     def literal(self) -> Formula:
-        raise NotImplementedError
+        """The formula of both."""
 
     @property
     def executable(self) -> Formula:
