@@ -250,7 +250,12 @@ class Lexicon:
         return "I" if name == self.me else self.object_words(name)
 
     def _property(self, words: list[str], subject: str) -> Clause:
-        """`cleared line`, `hand-empty robot`, `on-table block`, `holding mug`."""
+        """`cleared line`, `hand-empty robot`, `on-table block`, `holding mug`, `robot-in room`."""
+        if len(words) > 1 and words[-1] in PREPOSITIONS and words[0] not in PREPOSITIONS:
+            # One thing of its kind that has no name: where it is, is all that is said of it.
+            kind = " ".join(words[:-1])
+            mover = "I" if kind in ("robot", "agent") else f"the {kind}"
+            return Clause(mover, "be", f"{words[-1]} {subject}")
         if len(words) == 1 and words[0].endswith("ing") and subject != "I":
             return Clause("I", "be", f"{words[0]} {subject}")
         if len(words) == 1 or words[0] in PREPOSITIONS or words[0] == "not":

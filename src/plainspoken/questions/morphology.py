@@ -11,6 +11,8 @@ import re
 from collections.abc import Sequence
 from functools import lru_cache
 
+from plainspoken.questions.spelling import NUMBERS
+
 _IRREGULAR = """
 arise arose arisen|awake awoke awoken|be was been|bear bore borne|beat beat beaten
 become became become|begin began begun|bend bent bent|bet bet bet|bind bound bound
@@ -246,21 +248,7 @@ def a(noun: str) -> str:
     return f"{'an' if vowel else 'a'} {noun}"
 
 
-_NUMBERS = [
-    "no",
-    "one",
-    "two",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-]
+_NUMBERS = ["no", *NUMBERS[1:13]]
 
 
 def counted(number: int, noun: str) -> str:
