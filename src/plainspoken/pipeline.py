@@ -156,7 +156,7 @@ def carry_out(
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out; gives each entry of its log once it is stored."""
     from plainspoken.mission.executive import accept
-    from plainspoken.mission.mission import acceptance
+    from plainspoken.mission.request import acceptance
     from plainspoken.mission.run import run_mission
 
     accepted = acceptance(

@@ -5,7 +5,7 @@ from pathlib import Path
 from tests.mission.brute_force import solved
 
 from plainspoken.logic.formula import Formula
-from plainspoken.mission.mission import acceptance
+from plainspoken.mission.request import acceptance
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import State
 from plainspoken.world.event import MissionAccepted

@@ -6,8 +6,9 @@ from tests.mission.small_vineyard import PROBLEM, accepted, policy_for
 from plainspoken.errors import PlainspokenError
 from plainspoken.logic.syntax import parse
 from plainspoken.mission.executive import accept, advance
-from plainspoken.mission.mission import acceptance, mission_from
+from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import PauseAsked
+from plainspoken.mission.request import Clause, acceptance
 from plainspoken.world.domain import Problem
 from plainspoken.world.event import Entry
 from plainspoken.world.pddl import read_domain, read_problem
@@ -74,5 +75,5 @@ def test_the_texts_in_the_first_event_are_the_problem() -> None:
     )
     mission = mission_from([Entry(0, "t", 0, event)])
     assert mission.brief.problem == problem
-    assert mission.brief.goal == parse("F cleared_l2")
+    assert mission.brief.clauses == (Clause(parse("F cleared_l2")),)
     assert mission.world == problem.initial

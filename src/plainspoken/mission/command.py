@@ -37,6 +37,11 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
+class Reconnect:
+    """Try until the robot can be reached again, or long enough."""
+
+
+@dataclass(frozen=True, slots=True)
 class Plan:
     """Find a policy from a state.
 
@@ -47,4 +52,4 @@ class Plan:
     remaining: Formula
 
 
-Command = Send | Attach | CancelAction | Look | Plan
+Command = Send | Attach | CancelAction | Look | Reconnect | Plan

@@ -18,29 +18,59 @@ from typing import assert_never
 
 from plainspoken.automata.verdict import Verdict
 from plainspoken.logic.syntax import unparse
-from plainspoken.mission.command import Attach, CancelAction, Command, Look, Plan, Send
+from plainspoken.mission.command import (
+    Attach,
+    CancelAction,
+    Command,
+    Look,
+    Plan,
+    Reconnect,
+    Send,
+)
 from plainspoken.mission.coverage import sound_nodes
-from plainspoken.mission.mission import ActionInFlight, Limits, Mission, after, begun
+from plainspoken.mission.mission import (
+    ActionInFlight,
+    Change,
+    Limits,
+    Mission,
+    after,
+    begun,
+    changed,
+    left_of,
+)
 from plainspoken.mission.observation import (
     ActionDone,
     ActionNotDone,
     CancelAsked,
+    ChangeAsked,
+    Found,
+    Lost,
     NeverHeard,
     NotPlanned,
     Observation,
+    Overdue,
     PauseAsked,
     Planned,
+    Progressed,
     ResumeAsked,
     Sensed,
+    Stuck,
     Told,
 )
+from plainspoken.mission.request import clauses_to_json
+from plainspoken.mission.surprise import difference, surprise
 from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.world.domain import State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
+    ActionOverdue,
+    ActionProgressed,
+    ActionResent,
     ActionStarted,
     Cancelled,
+    ChangeRefused,
+    ChangeRequested,
     DeviationNoticed,
     Event,
     MissionAccepted,
@@ -49,10 +79,12 @@ from plainspoken.world.event import (
     Paused,
     PolicyChosen,
     ReportReceived,
+    RequestChanged,
     Resumed,
+    RobotFound,
+    RobotLost,
     VerdictReached,
 )
-from plainspoken.world.scene import is_applicable, successors
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +115,10 @@ def advance(mission: Mission, observation: Observation) -> Advance:
     """Take in one observation and decide how to go on."""
     events: list[Event] = []
     if not mission.is_over:
-        event = _learned(mission, observation)
+        for learned in _learned(mission, observation):
+            mission = after(mission, learned)
+            events.append(learned)
+        event = _decision(mission) if events else None
         while event is not None:
             mission = after(mission, event)
             events.append(event)
@@ -91,36 +126,85 @@ def advance(mission: Mission, observation: Observation) -> Advance:
     return Advance(mission, tuple(_commands(mission, observation, events)), tuple(events))
 
 
-def _learned(mission: Mission, observation: Observation) -> Event | None:
-    """The event that records an observation; None where it says nothing new."""
-    goal, static = mission.in_flight, mission.brief.static
+def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
+    """The events that record an observation; none where it says nothing new."""
     match observation:
-        # Robots may tell twice; only the action under way can come to an end.
-        case ActionDone(goal_id, seen) if goal is not None and goal.goal_id == goal_id:
-            node = _successor(mission, goal, seen - static)
-            return ActionFinished(goal.action, goal_id, seen - static, node)
-        case ActionNotDone(goal_id, reason, seen) if goal is not None and goal.goal_id == goal_id:
-            return ActionFailed(goal.action, goal_id, reason, seen - static)
-        case ActionDone() | ActionNotDone() | NeverHeard():
-            return None
+        case ActionDone() | ActionNotDone() | NeverHeard() | Progressed() | Overdue() | Stuck():
+            goal = mission.in_flight
+            # Robots may tell twice; only the action under way can come to an end.
+            if goal is None or goal.goal_id != observation.goal_id:
+                return ()
+            event = _heard(mission, goal, observation)
+        case Sensed() | Told() | Lost() | Found():
+            event = _seen(mission, observation)
+        case Planned(policy):
+            return _chosen(mission, policy)
+        case NotPlanned(reason):
+            event = _unplanned(mission, reason)
+        case ChangeAsked():
+            return _reconsidered(mission, observation)
+        case PauseAsked(by):
+            event = Paused(by) if mission.paused_by is None else None
+        case ResumeAsked(by):
+            event = Resumed(by)
+        case CancelAsked(by):
+            event = Cancelled(by) if mission.cancelled_by is None else None
+        case _:
+            assert_never(observation)
+    return () if event is None else (event,)
+
+
+def _heard(
+    mission: Mission,
+    goal: ActionInFlight,
+    observation: ActionDone | ActionNotDone | NeverHeard | Progressed | Overdue | Stuck,
+) -> Event | None:
+    """What is told of the action under way."""
+    action, id, static = goal.action, goal.goal_id, mission.brief.static
+    match observation:
+        case ActionDone(_, seen, claimed):
+            state = seen - static
+            doubted = frozenset() if claimed is None else (claimed - static) ^ state
+            node = _successor(mission, goal, state)
+            return ActionFinished(action, id, state, node, tuple(sorted(doubted)))
+        case ActionNotDone(_, reason, seen):
+            return ActionFailed(action, id, reason, seen - static)
+        case NeverHeard():
+            if goal.sendings <= mission.limits.resends:
+                return ActionResent(action, id)
+            return _stopped(mission, f"the robot forgot {action} {goal.sendings} times")
+        case Progressed(_, progress, doing):
+            return ActionProgressed(id, progress, doing)
+        case Overdue(_, seconds):
+            return None if goal.overdue else ActionOverdue(action, id, seconds)
+        case Stuck(_, seconds):
+            return _stopped(
+                mission,
+                f"{action} did not come to an end {seconds:.0f} s after it was given up; "
+                "it may still be under way",
+            )
+        case _:
+            assert_never(observation)
+
+
+def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event | None:
+    """What is learned of the world, or of the connection to it."""
+    static = mission.brief.static
+    match observation:
         case Sensed(source, seen):
             state = seen - static
             if state == mission.state and not mission.looking:
                 return None
-            return ObservationMade(source, *_difference(mission.state, state), state)
+            return ObservationMade(source, *difference(mission.state, state), state)
         case Told(reporter, text, added, deleted):
             state = (mission.state - deleted) | (added - static)
-            return ReportReceived(reporter, text, *_difference(mission.state, state), state)
-        case Planned(policy):
-            return _chosen(mission, policy)
-        case NotPlanned(reason):
-            return _stopped(mission, reason)
-        case PauseAsked(by):
-            return Paused(by) if mission.paused_by is None else None
-        case ResumeAsked(by):
-            return Resumed(by)
-        case CancelAsked(by):
-            return Cancelled(by) if mission.cancelled_by is None else None
+            return ReportReceived(reporter, text, *difference(mission.state, state), state)
+        case Lost(reason, for_good):
+            if for_good:
+                return _stopped(mission, f"the robot cannot be reached: {reason}")
+            return RobotLost(reason) if mission.lost is None else None
+        case Found():
+            return None if mission.lost is None else RobotFound()
         case _:
             assert_never(observation)
 
@@ -136,7 +220,9 @@ def _decision(mission: Mission) -> Event | None:
         return None
     if mission.cancelled_by is not None:
         return MissionEnded("cancelled", mission.satisfied, f"cancelled by {mission.cancelled_by}")
-    if mission.looking:
+    if mission.lost is not None or mission.looking:
+        return None
+    if mission.change is not None and mission.paused_by is None:
         return None
     if verdict is Verdict.VIOLATED:
         return _stopped(
@@ -189,17 +275,19 @@ def _commands(mission: Mission, observation: Observation, events: list[Event]) -
     if mission.is_over:
         return
     goal = mission.in_flight
-    if goal is not None:
-        if isinstance(observation, ResumeAsked):
+    if mission.lost is not None:
+        yield Reconnect()
+    elif goal is not None:
+        if isinstance(observation, ResumeAsked | Found):
             yield Attach(goal.goal_id)
-        elif isinstance(observation, NeverHeard) or any(
-            isinstance(event, ActionStarted) for event in events
-        ):
+        elif any(isinstance(event, ActionStarted | ActionResent) for event in events):
             yield Send(goal.goal_id, goal.action)
-        if mission.cancelled_by is not None:
+        if mission.cancelled_by is not None or goal.overdue:
             yield CancelAction(goal.goal_id)
     elif mission.looking:
         yield Look()
+    elif mission.change is not None and mission.paused_by is None:
+        yield Plan(mission.world, left_of(mission.change.monitor))
     elif mission.paused_by is None and mission.node is None:
         yield Plan(mission.world, mission.remaining)
 
@@ -219,13 +307,44 @@ def _successor(mission: Mission, goal: ActionInFlight, state: State) -> NodeId |
     return None
 
 
-def _chosen(mission: Mission, policy: Policy) -> Event:
+def _chosen(mission: Mission, policy: Policy) -> tuple[Event, ...]:
     """Take a policy, if following it from here leads to what is left of the goal."""
     first = mission.policy is None
+    events: tuple[Event, ...] = ()
+    change = mission.change
+    if change is not None:
+        clauses = clauses_to_json(change.brief.clauses)
+        taken = RequestChanged(change.by, change.text, clauses, change.english)
+        mission, events = after(mission, taken), (taken,)
     sound = sound_nodes(policy, mission.world, mission.monitor, mission.brief.symbols)
     if policy.initial not in sound:
-        return _stopped(mission, "the policy does not lead from the current state to the goal")
-    return PolicyChosen(policy.to_json(), None if first else "the policy did not fit the state")
+        reason = "the policy does not lead from the current state to the goal"
+        if change is not None:
+            return (ChangeRefused(change.by, change.text, reason),)
+        return (_stopped(mission, reason),)
+    why = "the policy did not fit the state" if change is None else "the request was changed"
+    return (*events, PolicyChosen(policy.to_json(), None if first else why))
+
+
+def _unplanned(mission: Mission, reason: str) -> Event:
+    """Without a policy a change is not made; what was asked before is given up only without one."""
+    if mission.change is not None:
+        return ChangeRefused(mission.change.by, mission.change.text, reason)
+    return _stopped(mission, reason)
+
+
+def _reconsidered(mission: Mission, asked: ChangeAsked) -> tuple[Event, ...]:
+    """Note what somebody wants instead; refuse at once what the past has broken already.
+
+    raises PlainspokenError: when the clauses name what the domain has not, or are yet to begin
+    """
+    clauses = clauses_to_json(asked.clauses)
+    requested = ChangeRequested(asked.by, asked.text, clauses, asked.english)
+    change: Change = changed(mission, requested)
+    if change.monitor.verdict is Verdict.VIOLATED:
+        broken = "what happened so far has broken it already"
+        return (requested, ChangeRefused(asked.by, asked.text, broken))
+    return (requested,)
 
 
 def _deviation(mission: Mission) -> DeviationNoticed:
@@ -235,31 +354,10 @@ def _deviation(mission: Mission) -> DeviationNoticed:
         nodes = sound_nodes(mission.policy, mission.world, mission.monitor, mission.brief.symbols)
     return DeviationNoticed(
         mission.led_by,
-        _surprise(mission),
+        surprise(mission),
         covered=bool(nodes) or mission.satisfied,
         node=nodes[0] if nodes else None,
     )
-
-
-def _surprise(mission: Mission) -> str:
-    """What differs from the outcome that comes nearest to the observed state."""
-    static, action = mission.brief.static, mission.led_by
-    expected: tuple[State, ...] = (mission.previous | static,)
-    if action is not None and is_applicable(mission.brief.problem, expected[0], action):
-        expected = successors(mission.brief.problem, expected[0], action)
-    nearest = min(expected, key=lambda state: len(state ^ mission.world))
-    appeared, gone = _difference(nearest, mission.world)
-    changes = [
-        *(f"{atom} is true and should be false" for atom in appeared),
-        *(f"{atom} is false and should be true" for atom in gone),
-    ]
-    where = f"after {action}" if action is not None else "with no action"
-    return f"{where}: {'; '.join(changes) or 'a state that the policy does not foresee'}"
-
-
-def _difference(before: State, now: State) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The atoms that became true, and those that became false."""
-    return tuple(sorted(now - before)), tuple(sorted(before - now))
 
 
 def _violated_clause(mission: Mission) -> str | None:

@@ -9,20 +9,32 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
-from typing import Any, assert_never
+from typing import assert_never
 
 from plainspoken.automata.progression import all_of, satisfied_at_end
 from plainspoken.automata.verdict import Monitor, Verdict
 from plainspoken.errors import PlainspokenError
-from plainspoken.logic.formula import Constant, Formula, Next, WeakNext, atoms
-from plainspoken.logic.syntax import parse, unparse
+from plainspoken.logic.formula import Constant, Formula, Next, WeakNext
+from plainspoken.logic.syntax import parse
+from plainspoken.mission.request import (
+    Clause,
+    Past,
+    clauses_from_json,
+    monitor_of,
+    symbols_of,
+)
 from plainspoken.planning.policy import NodeId, Policy, policy_from_json
 from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
+    ActionOverdue,
+    ActionProgressed,
+    ActionResent,
     ActionStarted,
     Cancelled,
+    ChangeRefused,
+    ChangeRequested,
     DeviationNoticed,
     Entry,
     Event,
@@ -33,11 +45,14 @@ from plainspoken.world.event import (
     Paused,
     PolicyChosen,
     ReportReceived,
+    RequestChanged,
     Resumed,
+    RobotFound,
+    RobotLost,
     VerdictReached,
 )
 from plainspoken.world.pddl import parse_domain, parse_problem
-from plainspoken.world.symbol import Symbol, letter, resolve_all
+from plainspoken.world.symbol import Symbol, letter
 
 MissionId = str
 GoalId = str
@@ -65,22 +80,35 @@ class Limits:
     revisits: how often the mission may come back to one node of a policy, without progress
     failures: how many actions in a row the robot may fail to carry out
     replans:  how many further policies the mission may ask for
+    resends:  how often a robot may have forgotten the command that it was given
     """
 
     revisits: int = 1000
     failures: int = 3
     replans: int = 20
+    resends: int = 3
 
 
 @dataclass(frozen=True)
 class Brief:
-    """What was accepted, which no event changes."""
+    """What was asked for, which only a change of mind changes; symbols are those of the clauses."""
 
     mission: MissionId
     problem: Problem
-    goal: Formula
+    clauses: tuple[Clause, ...]
     symbols: tuple[Symbol, ...]
     static: State
+
+
+@dataclass(frozen=True)
+class Change:
+    """What somebody wants to hold instead, until it is planned; monitor: up to now."""
+
+    by: str
+    text: str
+    brief: Brief
+    monitor: Monitor
+    english: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +118,8 @@ class ActionInFlight:
     goal_id: GoalId
     action: GroundAction
     node: NodeId
+    overdue: bool = False
+    sendings: int = 1
 
 
 @dataclass(frozen=True)
@@ -107,6 +137,8 @@ class Mission:
     failures:  actions in a row that could not be carried out
     paused_by, cancelled_by: who asked
     looking:   the world may have changed: it is observed before anything else is started
+    lost:      why the robot cannot be reached
+    change:    what somebody wants instead, to be planned as soon as nothing is under way
     settled:   whether the log says that the verdict is certain
     """
 
@@ -114,6 +146,7 @@ class Mission:
     state: State
     previous: State
     monitor: Monitor = field(compare=False)
+    past: Past = field(compare=False, repr=False)
     instant: Instant = 0
     led_by: GroundAction | None = None
     policy: Policy | None = field(default=None, repr=False)
@@ -127,6 +160,8 @@ class Mission:
     paused_by: str | None = None
     cancelled_by: str | None = None
     looking: bool = False
+    lost: str | None = None
+    change: Change | None = field(default=None, compare=False, repr=False)
     settled: bool = False
     ended: MissionEnded | None = None
     limits: Limits = field(default_factory=Limits)
@@ -170,45 +205,15 @@ class Mission:
 
         `X` or `WX` in front: the action that led to the current instant has been counted.
         """
-        residual = all_of(*(part.automaton.residual(part.state) for part in self.monitor.parts))
-        if isinstance(residual, Constant):
-            return residual
-        return WeakNext(residual) if satisfied_at_end(residual) else Next(residual)
+        return left_of(self.monitor)
 
 
-def acceptance(
-    mission: MissionId,
-    problem: Problem,
-    goal: Formula,
-    *,
-    domain_text: str,
-    problem_text: str,
-    sentence: str | None = None,
-    english: str = "",
-    landmarks: Mapping[str, Any] | None = None,
-    robot: Mapping[str, Any] | None = None,
-) -> MissionAccepted:
-    """The first event of a mission: all that is needed to understand its log alone.
-
-    domain_text, problem_text: the PDDL that `problem` was read from
-    sentence, english: what the person said, and the goal said back
-    landmarks: the landmarks document; robot: which robot, and how it is set
-    """
-    static = frozenset(
-        atom for atom in problem.initial if atom.split()[0] not in problem.changing_predicates
-    )
-    return MissionAccepted(
-        mission,
-        sentence,
-        unparse(goal),
-        english,
-        domain_text,
-        problem_text,
-        landmarks or {},
-        tuple(sorted(static)),
-        problem.initial - static,
-        robot or {},
-    )
+def left_of(monitor: Monitor) -> Formula:
+    """What is left to plan for; see `Mission.remaining`."""
+    residual = all_of(*(part.automaton.residual(part.state) for part in monitor.parts))
+    if isinstance(residual, Constant):
+        return residual
+    return WeakNext(residual) if satisfied_at_end(residual) else Next(residual)
 
 
 def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
@@ -219,18 +224,12 @@ def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
     source = f"mission {accepted.mission}"
     domain = parse_domain(accepted.domain, f"{source}, domain")
     problem = parse_problem(accepted.problem, domain, f"{source}, problem")
-    goal = parse(accepted.goal)
-    brief = Brief(
-        accepted.mission,
-        problem,
-        goal,
-        resolve_all(atoms(goal), problem),
-        frozenset(accepted.static),
-    )
-    monitor = Monitor.of(goal).after(
-        letter(brief.symbols, accepted.state | brief.static, action=None)
-    )
-    return Mission(brief, accepted.state, accepted.state, monitor, limits=limits)
+    clauses = (Clause(parse(accepted.goal)),)
+    symbols, static = symbols_of(clauses, problem), frozenset(accepted.static)
+    brief = Brief(accepted.mission, problem, clauses, symbols, static)
+    past = Past(accepted.state | static, None)
+    monitor = monitor_of(clauses, symbols, past)
+    return Mission(brief, accepted.state, accepted.state, monitor, past, limits=limits)
 
 
 def after(mission: Mission, event: Event) -> Mission:
@@ -264,6 +263,16 @@ def after(mission: Mission, event: Event) -> Mission:
             return replace(mission, paused_by=None, looking=mission.in_flight is None)
         case Cancelled(by):
             return replace(mission, cancelled_by=by)
+        case ActionProgressed():
+            return mission
+        case ActionOverdue() | ActionResent():
+            return replace(mission, in_flight=_still_in_flight(mission.in_flight, event))
+        case RobotLost(reason):
+            return replace(mission, lost=reason)
+        case RobotFound():
+            return replace(mission, lost=None, looking=mission.in_flight is None)
+        case ChangeRequested() | RequestChanged() | ChangeRefused():
+            return _reconsidered(mission, event)
         case MissionEnded():
             return replace(mission, ended=event, in_flight=None)
         case MissionAccepted():
@@ -299,11 +308,64 @@ def mission_from(entries: Iterable[Entry], limits: Limits | None = None) -> Miss
     return mission
 
 
-def _next_instant(mission: Mission, state: State, action: GroundAction | None) -> Mission:
-    """A new instant; whether the policy has a node for it is not known yet."""
-    seen = letter(mission.brief.symbols, state | mission.brief.static, action)
+def _still_in_flight(
+    goal: ActionInFlight | None, event: ActionOverdue | ActionResent
+) -> ActionInFlight | None:
+    if goal is None:
+        return None
+    if isinstance(event, ActionOverdue):
+        return replace(goal, overdue=True)
+    return replace(goal, sendings=goal.sendings + 1)
+
+
+def _reconsidered(
+    mission: Mission, event: ChangeRequested | RequestChanged | ChangeRefused
+) -> Mission:
+    """The mission after what somebody wants was heard, taken up, or refused.
+
+    Once it is taken up, no policy is for it, and the verdict is open anew.
+    """
+    if isinstance(event, ChangeRefused):
+        return replace(mission, change=None)
+    change = changed(mission, event)
+    if isinstance(event, ChangeRequested):
+        return replace(mission, change=change)
     return replace(
         mission,
+        brief=change.brief,
+        monitor=change.monitor,
+        change=None,
+        node=None,
+        noticed=True,
+        settled=False,
+        replans=0,
+    )
+
+
+def changed(mission: Mission, asked: ChangeRequested | RequestChanged) -> Change:
+    """What a change of mind comes to, after the trace so far.
+
+    raises PlainspokenError: when its clauses cannot be read, or name what the domain has not
+    """
+    clauses = clauses_from_json(asked.clauses, f"mission {mission.id}, clauses")
+    symbols = symbols_of(clauses, mission.brief.problem)
+    brief = replace(mission.brief, clauses=clauses, symbols=symbols)
+    monitor = monitor_of(clauses, symbols, mission.past)
+    return Change(asked.by, asked.text, brief, monitor, asked.english)
+
+
+def _next_instant(mission: Mission, state: State, action: GroundAction | None) -> Mission:
+    """A new instant; whether the policy has a node for it is not known yet."""
+    world = state | mission.brief.static
+    seen = letter(mission.brief.symbols, world, action)
+    change = mission.change
+    if change is not None:
+        then = change.monitor.after(letter(change.brief.symbols, world, action))
+        change = replace(change, monitor=then)
+    return replace(
+        mission,
+        past=Past(world, action, mission.past),
+        change=change,
         state=state,
         previous=mission.state,
         led_by=action,

@@ -5,16 +5,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from plainspoken.mission.mission import GoalId
+from plainspoken.mission.request import Clause
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import GroundAtom, State
 
 
 @dataclass(frozen=True, slots=True)
 class ActionDone:
-    """The robot did the action; state is what it sees now."""
+    """The robot did the action; state is what is seen now.
+
+    claimed: the state that the robot's result said, where it was another
+    """
 
     goal_id: GoalId
     state: State
+    claimed: State | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +36,44 @@ class NeverHeard:
     """The robot is certain that it never began what this goal id names."""
 
     goal_id: GoalId
+
+
+@dataclass(frozen=True, slots=True)
+class Progressed:
+    """The robot is at another part of the action."""
+
+    goal_id: GoalId
+    progress: float | None
+    doing: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Overdue:
+    """The action takes longer than it may."""
+
+    goal_id: GoalId
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stuck:
+    """An action that was given up has not come to an end all the same."""
+
+    goal_id: GoalId
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """The robot cannot be reached. for_good: it was waited for long enough."""
+
+    reason: str
+    for_good: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The robot can be reached again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,10 +123,26 @@ class CancelAsked:
     by: str
 
 
+@dataclass(frozen=True, slots=True)
+class ChangeAsked:
+    """Somebody wants other clauses to hold, each from its instant on; english says them all."""
+
+    by: str
+    text: str
+    clauses: tuple[Clause, ...]
+    english: str = ""
+
+
 Observation = (
     ActionDone
     | ActionNotDone
     | NeverHeard
+    | Progressed
+    | Overdue
+    | Stuck
+    | Lost
+    | Found
+    | ChangeAsked
     | Sensed
     | Told
     | Planned

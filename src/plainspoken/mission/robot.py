@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from plainspoken.errors import PlainspokenError
 from plainspoken.mission.mission import GoalId
 from plainspoken.world.domain import GroundAction, State
 
@@ -13,9 +14,14 @@ Seconds = float
 
 @dataclass(frozen=True, slots=True)
 class UnderWay:
-    """The robot is at it. progress is from 0 to 1, None where the robot cannot say."""
+    """The robot is at it.
+
+    progress: from 0 to 1, None where the robot cannot say
+    doing:    which part of it, in words, where there are parts
+    """
 
     progress: float | None = None
+    doing: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,10 +47,16 @@ class Unheard:
 GoalStatus = UnderWay | Succeeded | Failed | Unheard
 
 
+class Unreachable(PlainspokenError):
+    """The connection to a robot is lost, for now or for good; what it does is not known."""
+
+
 class Robot(Protocol):
     """Takes one command at a time.
 
     Its states hold every true atom that some action changes; static atoms may be left out.
+    Each method may raise Unreachable. A command that raised it may have been heard or not:
+    it is asked about, by `wait`, once the robot can be reached again.
     """
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:

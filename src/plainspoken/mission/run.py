@@ -2,26 +2,41 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass
 from typing import assert_never
 
 from plainspoken.logic.formula import Formula
-from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Send
+from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Reconnect, Send
 from plainspoken.mission.executive import Advance, advance
-from plainspoken.mission.mission import ActionInFlight, Mission
+from plainspoken.mission.mission import ActionInFlight, GoalId, Mission
 from plainspoken.mission.observation import (
     ActionDone,
     ActionNotDone,
+    Found,
+    Lost,
     NeverHeard,
     NotPlanned,
     Observation,
+    Overdue,
     PauseAsked,
     Planned,
+    Progressed,
     Sensed,
+    Stuck,
 )
-from plainspoken.mission.robot import Failed, Robot, Seconds, Succeeded, UnderWay, Unheard
+from plainspoken.mission.robot import (
+    Failed,
+    Robot,
+    Seconds,
+    Succeeded,
+    UnderWay,
+    Unheard,
+    Unreachable,
+)
 from plainspoken.planning.policy import Policy
-from plainspoken.world.domain import State
+from plainspoken.world.domain import GroundAction, State
 from plainspoken.world.event import Entry, Event, Instant
 
 Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
@@ -32,6 +47,24 @@ Requests = Callable[[], Observation | None]
 """What people, or another process, ask for meanwhile: one request at a time, never waiting."""
 
 
+@dataclass(frozen=True, slots=True)
+class Patience:
+    """How long the task manager waits, in seconds.
+
+    news:      for the robot, before requests are looked at again
+    action:    for an action to end before it is given up; None is for ever
+    given_up:  for an action that was given up to end
+    lost:      for a robot that cannot be reached
+    unseen:    how old an observation may be when an action is chosen by it
+    """
+
+    news: Seconds = 0.2
+    action: Callable[[GroundAction], Seconds | None] = lambda _: None
+    given_up: Seconds = 10.0
+    lost: Seconds = 60.0
+    unseen: Seconds = float("inf")
+
+
 def run_mission(
     start: Advance,
     robot: Robot,
@@ -39,17 +72,20 @@ def run_mission(
     plan: Replanner,
     *,
     requests: Requests = lambda: None,
-    patience: Seconds = 0.2,
+    patience: Patience | None = None,
+    clock: Callable[[], Seconds] = time.monotonic,
+    sleep: Callable[[Seconds], None] = time.sleep,
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out, giving each entry of its log once it is stored.
 
-    start:    from `accept`, or from `advance(mission_from(entries), ResumeAsked(...))`
-    patience: how long to wait for the robot before requests are looked at again
+    start: from `accept`, or from `advance(mission_from(entries), ResumeAsked(...))`
+    clock: what `patience` is measured by; the simulator brings its own
     returns the mission when it is over, or paused with nothing under way
 
     Ctrl-C pauses: the action under way comes to its end and no other is started; a second one
     leaves at once. Whoever stops taking entries pauses the mission too. Either is in the log.
     """
+    edge = _Edge(robot, plan, requests, patience=patience or Patience(), clock=clock, sleep=sleep)
     now = start
     while True:
         entries = record(now.mission.instant, now.events) if now.events else ()
@@ -62,64 +98,149 @@ def run_mission(
             raise
         if now.mission.is_at_rest:
             return now.mission
-        now = advance(now.mission, _observed(now, robot, plan, requests, patience))
+        now = advance(now.mission, edge.observed(now))
 
 
-def _observed(
-    now: Advance, robot: Robot, plan: Replanner, requests: Requests, patience: Seconds
-) -> Observation:
-    """Obey the commands, and wait for the next thing that is worth deciding on."""
-    try:
-        request = requests()
-        if request is not None and now.mission.in_flight is None:
-            return request
-        answer = _obeyed(now, robot, plan)
-        while answer is None:
-            # A request that came with a command waits until the robot has the command.
-            if request is not None:
+class _Edge:
+    """Where a mission meets its robot, its planner and the people who ask."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        plan: Replanner,
+        requests: Requests,
+        *,
+        patience: Patience,
+        clock: Callable[[], Seconds],
+        sleep: Callable[[Seconds], None],
+    ) -> None:
+        self._robot = robot
+        self._plan = plan
+        self._requests = requests
+        self._patience = patience
+        self._clock = clock
+        self._sleep = sleep
+        self._goal: GoalId | None = None
+        self._since = self._given_up_at = self._seen_at = clock()
+        self._doing: str | None = None
+        self._given_up: GoalId | None = None
+
+    def observed(self, now: Advance) -> Observation:
+        """Obey the commands, and wait for the next thing that is worth deciding on."""
+        mission = now.mission
+        try:
+            request = self._requests()
+            if request is not None and mission.in_flight is None:
                 return request
-            if now.mission.in_flight is None:
-                raise AssertionError("a mission that waits for nothing is at rest")
-            answer = _news(now.mission.in_flight, robot, patience)
-            request = requests() if answer is None else None
-    except KeyboardInterrupt:
-        if now.mission.paused_by is not None:
-            raise
-        return PauseAsked("keyboard")
-    return answer
+            answer = self._reached(lambda: self._obeyed(now))
+            while answer is None:
+                # A request that came with a command waits until the robot has the command.
+                if request is not None:
+                    return request
+                goal = mission.in_flight
+                if mission.lost is None and goal is None:
+                    raise AssertionError("a mission that waits for nothing is at rest")
+                if goal is None or mission.lost is not None:
+                    answer = self._reconnected()
+                else:
+                    answer = self._reached(lambda goal=goal: self._news(goal))  # type: ignore[misc]
+                request = self._requests() if answer is None else None
+        except KeyboardInterrupt:
+            if mission.paused_by is not None:
+                raise
+            return PauseAsked("keyboard")
+        return answer
 
+    def _reached(self, ask: Callable[[], Observation | None]) -> Observation | None:
+        try:
+            return ask()
+        except Unreachable as error:
+            self._since = self._clock()
+            return Lost(str(error))
 
-def _obeyed(now: Advance, robot: Robot, plan: Replanner) -> Observation | None:
-    """Carry the commands out; the answer of those that have one at once."""
-    for command in now.commands:
-        match command:
-            case Send(goal_id, action):
-                robot.send(goal_id, action)
-            case Attach():
-                pass  # waiting for it is asking about it
-            case CancelAction(goal_id):
-                robot.cancel(goal_id)
-            case Look():
-                return Sensed("robot", robot.state())
-            case Plan(state, remaining):
-                policy = plan(state, remaining)
-                return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
-            case _:
-                assert_never(command)
-    return None
-
-
-def _news(goal: ActionInFlight, robot: Robot, patience: Seconds) -> Observation | None:
-    """What the robot says of an action; None while it is at it."""
-    status = robot.wait(goal.goal_id, patience)
-    match status:
-        case UnderWay():
+    def _reconnected(self) -> Observation | None:
+        """Whether the robot can be reached again; None where it cannot, and is waited for."""
+        try:
+            self._robot.state()
+        except Unreachable as error:
+            if self._clock() - self._since > self._patience.lost:
+                return Lost(str(error), for_good=True)
+            self._sleep(self._patience.news)
             return None
-        case Succeeded(state):
-            return ActionDone(goal.goal_id, state)
-        case Failed(reason, state):
-            return ActionNotDone(goal.goal_id, reason, state)
-        case Unheard():
-            return NeverHeard(goal.goal_id)
-        case _:
-            assert_never(status)
+        self._goal = None  # what goes on is timed anew
+        return Found()
+
+    def _obeyed(self, now: Advance) -> Observation | None:
+        """Carry the commands out; the answer of those that have one at once."""
+        for command in now.commands:
+            match command:
+                case Send(goal_id, action):
+                    self._timed(goal_id)
+                    self._robot.send(goal_id, action)
+                case Attach(goal_id):
+                    self._timed(goal_id)  # waiting for it is asking about it
+                case CancelAction(goal_id):
+                    if self._given_up != goal_id:
+                        self._given_up, self._given_up_at = goal_id, self._clock()
+                    self._robot.cancel(goal_id)
+                case Look():
+                    return Sensed("robot", self._seen())
+                case Reconnect():
+                    pass  # asking for its state is trying
+                case Plan(state, remaining):
+                    return self._planned(state, remaining)
+                case _:
+                    assert_never(command)
+        return None
+
+    def _timed(self, goal: GoalId) -> None:
+        """Begin to count the seconds of an action that is new here."""
+        if self._goal != goal:
+            self._goal, self._doing = goal, None
+            self._since = self._given_up_at = self._clock()
+
+    def _seen(self) -> State:
+        seen = self._robot.state()
+        self._seen_at = self._clock()
+        return seen
+
+    def _planned(self, state: State, remaining: Formula) -> Observation:
+        """A policy, unless planning took so long that the world has to be seen anew first."""
+        policy = self._plan(state, remaining)
+        if isinstance(policy, str):
+            return NotPlanned(policy)
+        if self._clock() - self._seen_at > self._patience.unseen:
+            seen = self._seen()
+            if seen != state:
+                return Sensed("robot", seen)
+        return Planned(policy)
+
+    def _news(self, goal: ActionInFlight) -> Observation | None:
+        """What the robot says of an action; None while it is at it."""
+        status = self._robot.wait(goal.goal_id, self._patience.news)
+        match status:
+            case UnderWay(progress, doing):
+                if doing != self._doing:
+                    self._doing = doing
+                    return Progressed(goal.goal_id, progress, doing)
+                return self._late(goal)
+            case Succeeded(state):
+                seen = self._seen()
+                return ActionDone(goal.goal_id, seen, state if state != seen else None)
+            case Failed(reason, _):
+                return ActionNotDone(goal.goal_id, reason, self._seen())
+            case Unheard():
+                return NeverHeard(goal.goal_id)
+            case _:
+                assert_never(status)
+
+    def _late(self, goal: ActionInFlight) -> Observation | None:
+        """Whether an action takes longer than it may, to end or to be given up."""
+        now = self._clock()
+        if self._given_up == goal.goal_id:
+            late = now - self._given_up_at
+            return Stuck(goal.goal_id, late) if late > self._patience.given_up else None
+        limit = self._patience.action(goal.action)
+        if limit is None or now - self._since <= limit:
+            return None
+        return Overdue(goal.goal_id, now - self._since)

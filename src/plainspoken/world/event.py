@@ -74,6 +74,7 @@ class ActionFinished:
     """The action came to an end, and the state after it was observed.
 
     node: the policy node that matches the state, None where none does
+    misreported: the atoms of which the robot's result said the opposite of what was seen
     """
 
     kind: ClassVar[str] = "action_finished"
@@ -81,6 +82,7 @@ class ActionFinished:
     goal_id: str
     state: State
     node: int | None
+    misreported: tuple[GroundAtom, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +182,91 @@ class Cancelled:
 
 
 @dataclass(frozen=True, slots=True)
+class ActionProgressed:
+    """The robot says how far it is with the action under way.
+
+    progress: from 0 to 1, None where it cannot say
+    doing:    the part of it that goes on now, in the robot's words
+    """
+
+    kind: ClassVar[str] = "action_progressed"
+    goal_id: str
+    progress: float | None = None
+    doing: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ActionResent:
+    """The robot is certain that it never began the action, and was told once more."""
+
+    kind: ClassVar[str] = "action_resent"
+    action: GroundAction
+    goal_id: str
+
+
+@dataclass(frozen=True, slots=True)
+class ActionOverdue:
+    """The action took longer than it may, and the robot was told to give it up."""
+
+    kind: ClassVar[str] = "action_overdue"
+    action: GroundAction
+    goal_id: str
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class RobotLost:
+    """The robot cannot be reached; what it does meanwhile is not known."""
+
+    kind: ClassVar[str] = "robot_lost"
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class RobotFound:
+    """The robot can be reached again."""
+
+    kind: ClassVar[str] = "robot_found"
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeRequested:
+    """Somebody wants something else from now on; the mission goes on as before until it is planned.
+
+    clauses: what would have to hold, [{"since": instant, "goal": formula}, ...]: each formula for
+             the trace from that instant on
+    english: all of it, in words
+    """
+
+    kind: ClassVar[str] = "change_requested"
+    by: str
+    text: str
+    clauses: tuple[Mapping[str, Any], ...]
+    english: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class RequestChanged:
+    """From here on the mission is about other clauses; a policy for them follows."""
+
+    kind: ClassVar[str] = "request_changed"
+    by: str
+    text: str
+    clauses: tuple[Mapping[str, Any], ...]
+    english: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeRefused:
+    """What somebody wanted changed cannot be done; the mission goes on as before."""
+
+    kind: ClassVar[str] = "change_refused"
+    by: str
+    text: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
 class MissionEnded:
     """The mission is over.
 
@@ -206,6 +293,14 @@ Event = (
     | Paused
     | Resumed
     | Cancelled
+    | ActionProgressed
+    | ActionResent
+    | ActionOverdue
+    | RobotLost
+    | RobotFound
+    | ChangeRequested
+    | RequestChanged
+    | ChangeRefused
     | MissionEnded
 )
 
@@ -227,6 +322,14 @@ KINDS: Mapping[str, type[Event]] = {
         Paused,
         Resumed,
         Cancelled,
+        ActionProgressed,
+        ActionResent,
+        ActionOverdue,
+        RobotLost,
+        RobotFound,
+        ChangeRequested,
+        RequestChanged,
+        ChangeRefused,
         MissionEnded,
     )
 }
