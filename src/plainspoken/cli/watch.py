@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rich.console import Console, Group
 from rich.live import Live
@@ -18,14 +18,24 @@ from plainspoken.world.domain import State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
+    ActionOverdue,
+    ActionProgressed,
+    ActionResent,
     ActionStarted,
+    ChangeRefused,
+    ChangeRequested,
     DeviationNoticed,
     Entry,
+    Event,
     MissionAccepted,
     MissionEnded,
     Paused,
     PolicyChosen,
+    ReportReceived,
+    RequestChanged,
     Resumed,
+    RobotFound,
+    RobotLost,
 )
 
 ROWS = 14
@@ -66,7 +76,7 @@ class Scoreboard:
     def news(self) -> Table:
         """The rows since this was last asked for; one under way is told again when it is over."""
         table = self._table(self._rows[self._printed :])
-        self._printed = len(self._rows) - (self._rows[-1].style == UNDER_WAY if self._rows else 0)
+        self._printed = len(self._rows) - self._under_way
         return table
 
     def _table(self, rows: list[Row]) -> Table:
@@ -91,29 +101,41 @@ class Scoreboard:
             case ActionStarted(action):
                 doing = self._lexicon.deed(action).doing
                 self._rows.append(Row("", f"{doing} ...", "", UNDER_WAY))
-            case ActionFinished(action, _, state, node):
-                self._rows[-1] = Row(
-                    str(entry.instant), self._lexicon.deed(action).doing, self._news(state)
-                )
+            case ActionProgressed(doing=part) if part is not None and self._under_way:
+                self._rows[-1] = replace(self._rows[-1], seen=part)
+            case ActionFinished(action, _, state, node, misreported):
+                news = self._news(state)
+                if misreported:
+                    news += " (the robot said otherwise)"
+                self._settle(Row(str(entry.instant), self._lexicon.deed(action).doing, news))
                 self._done += 1
                 self._advance_bar(node)
             case ActionFailed(action, _, reason, state):
                 doing = self._lexicon.deed(action).doing
-                self._rows[-1] = Row(str(entry.instant), doing, f"failed: {reason}", "red")
+                self._settle(Row(str(entry.instant), doing, f"failed: {reason}", "red"))
                 self._state = state
-            case DeviationNoticed(description=description):
-                self._rows.append(Row("", f"not as expected: {description}", "", "yellow"))
-            case Paused(by):
-                self._rows.append(Row("", f"paused by {by}", "", "yellow"))
-            case Resumed(by):
-                self._rows.append(Row("", f"resumed by {by}", "", "yellow"))
             case MissionEnded(outcome, satisfied):
                 verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
                 self._rows.append(
                     Row("", outcome, verdict, "bold green" if satisfied else "bold red")
                 )
-            case _:
-                pass
+            case event:
+                told = remark(event)
+                if told is not None:
+                    self._rows.insert(
+                        len(self._rows) - self._under_way, Row("", told, "", "yellow")
+                    )
+
+    @property
+    def _under_way(self) -> bool:
+        return bool(self._rows) and self._rows[-1].style == UNDER_WAY
+
+    def _settle(self, row: Row) -> None:
+        """What became of the action under way, in the place of its row."""
+        if self._under_way:
+            self._rows[-1] = row
+        else:
+            self._rows.append(row)
 
     def _advance_bar(self, node: int | None) -> None:
         left = self._distance.get(node, 0) if node is not None else 0
@@ -128,6 +150,35 @@ class Scoreboard:
 
     def _told(self, atoms: State, *, true: bool) -> list[str]:
         return [self._lexicon.clause(atom).said(negative=not true) for atom in sorted(atoms)]
+
+
+def remark(event: Event) -> str | None:
+    """What there is to say of an event that is no action; None where there is nothing."""
+    match event:
+        case DeviationNoticed(description=description):
+            return f"not as expected: {description}"
+        case ActionOverdue(seconds=seconds):
+            return f"no end after {seconds:.0f} s: giving it up"
+        case ActionResent():
+            return "the robot never began it: told once more"
+        case RobotLost(reason):
+            return f"the robot cannot be reached: {reason}"
+        case RobotFound():
+            return "the robot can be reached again"
+        case ChangeRequested(by, text):
+            return f'{by} asks for a change: "{text}"'
+        case RequestChanged(text=text, english=english):
+            return f"from now on: {english or text}"
+        case ChangeRefused(reason=reason):
+            return f"nothing is changed: {reason}"
+        case ReportReceived(reporter, text):
+            return f'{reporter} reports: "{text}"'
+        case Paused(by):
+            return f"paused by {by}"
+        case Resumed(by):
+            return f"resumed by {by}"
+        case _:
+            return None
 
 
 def distances(policy: Policy) -> dict[int, int]:
