@@ -35,7 +35,7 @@ from plainspoken.world.symbol import resolve_all
 
 GOALS = {
     "vineyard": "F cleared_l2 & F cleared_l0 & G(full_b -> F !full_b)",
-    "warehouse": "F delivered_crate & F delivered_drum & G(battery_low_cart -> F !battery_low_cart)",
+    "warehouse": "F delivered_crate & G(battery_low_cart -> F !battery_low_cart)",
     "kitchen": "F(served_soup & !stove_on) & (!served_soup U seasoned_soup)",
 }
 STUCK_SECONDS = 60.0
