@@ -11,18 +11,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
-from plainspoken.automata.construction import Automaton
 from plainspoken.automata.verdict import Part
 from plainspoken.errors import PlainspokenError
-from plainspoken.logic.formula import atoms, conjuncts
-from plainspoken.logic.syntax import parse
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode, policy_from_json
 from plainspoken.questions.demand import Demand, demands_of
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.monitoring import Clauses, Letters, letters_of
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
+    ActionOverdue,
+    ActionProgressed,
     ActionStarted,
     DeviationNoticed,
     Entry,
@@ -33,12 +33,14 @@ from plainspoken.world.event import (
     Paused,
     PolicyChosen,
     ReportReceived,
+    RequestChanged,
     Resumed,
+    RobotFound,
+    RobotLost,
     Step,
 )
 from plainspoken.world.landmark import Landmarks, landmarks_from_json
 from plainspoken.world.pddl import parse_domain, parse_problem
-from plainspoken.world.symbol import AtomSymbol, SymbolId, letter, resolve_all
 
 Run = tuple[Instant, Instant]
 """From and to, both included."""
@@ -91,6 +93,10 @@ class Moment:
         self.node_id: int | None = None
         self.ended: MissionEnded | None = None
         self.paused = False
+        self.lost: RobotLost | None = None
+        self.doing: str | None = None
+        self.overdue = False
+        self._asked: list[tuple[Instant, Clauses]] = [(0, ((0, self.mission.goal),))]
         self._since: dict[GroundAtom, Instant] = {}
         self.failures: list[tuple[Step, ActionFailed]] = []
         self.reports: list[tuple[Step, ReportReceived]] = []
@@ -101,6 +107,7 @@ class Moment:
             if type(event) is ActionStarted:
                 self.started, self.started_step = event, entry.step
                 self.node_id = event.node
+                self.doing, self.overdue = None, False
             elif type(event) is ActionFinished:
                 self._finish(entry, event)
             else:
@@ -134,6 +141,15 @@ class Moment:
             case DeviationNoticed():
                 self.deviations.append((entry.step, event))
                 self.node_id = event.node if event.node is not None else self.node_id
+            case ActionProgressed(doing=doing):
+                self.doing = doing
+            case ActionOverdue():
+                self.overdue = True
+            case RobotLost() | RobotFound():
+                self.lost = event if isinstance(event, RobotLost) else None
+            case RequestChanged(clauses=clauses):
+                asked = tuple((int(each["since"]), str(each["goal"])) for each in clauses)
+                self._asked.append((entry.instant, asked))
             case Paused() | Resumed():
                 self.paused = isinstance(event, Paused)
             case MissionEnded():
@@ -260,7 +276,7 @@ class Moment:
 
     @cached_property
     def letters(self) -> Letters:
-        return letters_of(self.mission)
+        return letters_of(self.problem, self._asked[-1][1])
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -279,19 +295,14 @@ class Moment:
 
     def parts_at(self, instant: Instant) -> tuple[Part, ...]:
         """The conjuncts of the request as they were at an instant."""
-        automata = self.letters.automata
-        at = tuple(automaton.initial for automaton in automata)
-        known: dict[tuple[tuple[int, ...], frozenset[str]], tuple[int, ...]] = {}
-        read = self.letters.read
         upto = instant + 1
-        for state, action in zip(self.states[:upto], self.actions[:upto], strict=True):
-            key = (at, read(state, action))
-            after = known.get(key)
-            if after is None:
-                after = tuple(a.step(s, key[1]) for a, s in zip(automata, at, strict=True))
-                known[key] = after
-            at = after
-        return tuple(Part(a.formula, a, s) for a, s in zip(automata, at, strict=True))
+        letters = self.letters if instant == self.now else self._letters_at(instant)
+        return letters.parts_after(self.states[:upto], self.actions[:upto])
+
+    def _letters_at(self, instant: Instant) -> Letters:
+        """What was asked for at an instant: a request may change, and the past stays as it was."""
+        clauses = next(each for since, each in reversed(self._asked) if since <= instant)
+        return letters_of(self.problem, clauses)
 
     def after(
         self, parts: tuple[Part, ...], state: State, action: GroundAction
@@ -302,30 +313,6 @@ class Moment:
             Part(part.formula, part.automaton, part.automaton.step(part.state, seen))
             for part in parts
         )
-
-
-class Letters:
-    """What the request reads of an instant, and the automata that read it."""
-
-    def __init__(self, problem: Problem, goal: str) -> None:
-        self._static = frozenset(
-            atom
-            for atom in problem.initial
-            if atom.split(" ", 1)[0] not in problem.changing_predicates
-        )
-        formula = parse(goal)
-        self.automata = tuple(Automaton(part) for part in dict.fromkeys(conjuncts(formula)))
-        self.symbols = resolve_all(atoms(formula), problem)
-        self._atoms = frozenset(s.atom for s in self.symbols if isinstance(s, AtomSymbol))
-        self._known: dict[tuple[State, GroundAction | None], frozenset[SymbolId]] = {}
-
-    def read(self, state: State, action: GroundAction | None) -> frozenset[SymbolId]:
-        """The propositions of the request that are true at an instant."""
-        key = (self._atoms & state, action)
-        found = self._known.get(key)
-        if found is None:
-            found = self._known[key] = letter(self.symbols, key[0] | self._static, action)
-        return found
 
 
 class _ById:
@@ -356,11 +343,6 @@ def lexicon_of(mission: MissionAccepted) -> Lexicon:
     return _lexicon(mission.domain, mission.problem, document)
 
 
-def letters_of(mission: MissionAccepted) -> Letters:
-    """The automata of a mission's request; kept, as they grow with what they have read."""
-    return _letters(mission.domain, mission.problem, mission.goal)
-
-
 @lru_cache(maxsize=8)
 def _problem(domain: str, problem: str) -> Problem:
     known = parse_domain(domain, "domain of the log")
@@ -373,8 +355,3 @@ def _lexicon(domain: str, problem: str, landmarks: str) -> Lexicon:
     if landmarks:
         known = landmarks_from_json(json.loads(landmarks), "landmarks of the log")
     return Lexicon(_problem(domain, problem), known)
-
-
-@lru_cache(maxsize=8)
-def _letters(domain: str, problem: str, goal: str) -> Letters:
-    return Letters(_problem(domain, problem), goal)

@@ -81,13 +81,18 @@ def _tell_action(draft: Draft) -> None:
     moment = draft.moment
     lexicon = moment.lexicon
     draft.evidence.add(moment.steps[-1])
+    if moment.lost is not None:
+        draft.say("The connection to the robot is lost, so this is what was known before")
     if moment.started is not None:
         action = moment.started.action
         draft.evidence.add(moment.started_step)
         draft.actions.add(ActionClaim(action, moment.now + 1, "may"))
         purpose = reason_for(moment)
         words = purpose_words(draft, purpose) if purpose is not None else ""
-        draft.say(f"{present_deed(lexicon.deed(action))}{words}")
+        doing = f" ({moment.doing})" if moment.doing else ""
+        draft.say(f"{present_deed(lexicon.deed(action))}{doing}{words}")
+        if moment.overdue:
+            draft.say("It takes longer than it should, so I'm giving it up")
         return
     if moment.paused:
         draft.say("I'm paused at the moment")
