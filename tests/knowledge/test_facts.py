@@ -1,3 +1,5 @@
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from functools import reduce
 
 import pytest
@@ -102,3 +104,26 @@ def _run(states: list[frozenset[str]]) -> list[Entry]:
 
 def test_static_atoms_are_part_of_what_is_true_now() -> None:
     assert facts_after([Entry(0, "", 0, ACCEPTED)]).state == {"shut door", "part-of lamp room"}
+
+
+STALE = replace(ACCEPTED, robot={"stale": {"lit": 60.0}})
+LAST_LOOK = datetime(2026, 11, 22, 10, 0, 7, tzinfo=UTC)
+
+
+@pytest.mark.parametrize(
+    ("atom", "later", "holds"),
+    [
+        ("lit lamp", 60, False),
+        ("lit lamp", 61, None),
+        ("open door", 3600, True),
+        ("part-of lamp room", 3600, True),
+    ],
+)
+def test_a_fact_that_was_seen_too_long_ago_is_not_known_any_more(
+    atom: str, later: int, *, holds: bool | None
+) -> None:
+    facts = facts_after([replace(ENTRIES[0], event=STALE), *ENTRIES[1:]])
+    known = facts.known(atom, LAST_LOOK + timedelta(seconds=later))
+    assert known.holds is holds
+    assert known.fact == facts.fact(atom)
+    assert datetime.fromisoformat(known.seen) == LAST_LOOK

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from datetime import datetime
 from enum import StrEnum
 
 from plainspoken.errors import PlainspokenError
@@ -48,6 +49,19 @@ class Fact:
 
 
 @dataclass(frozen=True, slots=True)
+class Knowledge:
+    """What can be said of an atom at a time.
+
+    holds: None where it was seen too long ago to say: then it has to be looked at first
+    fact:  what was seen last; seen: when that was, ISO 8601
+    """
+
+    holds: bool | None
+    fact: Fact
+    seen: str
+
+
+@dataclass(frozen=True, slots=True)
 class Moment:
     """One instant of the trace.
 
@@ -70,11 +84,15 @@ class Facts:
     changed: the facts about atoms that were ever true, static ones included
     static:  the true atoms that no action changes
     trace:   instants s0 ... sn, sn the current one
+    seen:    when the world was looked at last: every event with a state is such a look
+    stale:   after how many seconds a fact of a predicate is not known any more
     """
 
     changed: Mapping[GroundAtom, Fact]
     static: State
     trace: tuple[Moment, ...]
+    seen: str = ""
+    stale: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def state(self) -> State:
@@ -87,6 +105,18 @@ class Facts:
         return self.changed.get(
             atom, Fact(atom, False, Source.INITIAL, start.step, start.instant, start.time)
         )
+
+    def known(self, atom: GroundAtom, at: datetime) -> Knowledge:
+        """What can be said of an atom at a time: true, false, or not known any more.
+
+        at: with its time zone
+        """
+        fact = self.fact(atom)
+        lasts = self.stale.get(atom.split(" ", 1)[0])
+        fresh = lasts is None or atom in self.static or not self.seen or (
+            (at - datetime.fromisoformat(self.seen)).total_seconds() <= lasts
+        )  # fmt: skip
+        return Knowledge(fact.holds if fresh else None, fact, self.seen)
 
     def letters(self, symbols: Iterable[Symbol]) -> tuple[Letter, ...]:
         """The symbols true at each instant of the trace, for `logic.trace.holds`."""
@@ -104,9 +134,13 @@ def facts_after(entries: Iterable[Entry]) -> Facts:
     changed: dict[GroundAtom, Fact] = {}
     static: State = frozenset()
     trace: list[Moment] = []
+    seen, stale = "", dict[str, float]()
     for entry in entries:
         event = entry.event
+        if isinstance(event, Stated) and not isinstance(event, ReportReceived):
+            seen = entry.time
         if isinstance(event, MissionAccepted):
+            stale = dict(event.robot.get("stale", {}))
             static = frozenset(event.static)
             changed.update(
                 (atom, Fact(atom, True, Source.INITIAL, entry.step, 0, entry.time))
@@ -126,7 +160,7 @@ def facts_after(entries: Iterable[Entry]) -> Facts:
             )
     if not trace:
         raise PlainspokenError("an empty log: a log begins with mission_accepted")
-    return Facts(changed, static, tuple(trace))
+    return Facts(changed, static, tuple(trace), seen, stale)
 
 
 def trace_of(entries: Iterable[Entry]) -> tuple[Moment, ...]:
