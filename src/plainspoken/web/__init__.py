@@ -1,0 +1,1 @@
+"""The page and the programs' interface: shows what the pipeline returns, decides nothing."""
