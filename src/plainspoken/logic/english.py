@@ -55,7 +55,7 @@ from plainspoken.logic.pattern import (
     Wait,
     negated,
 )
-from plainspoken.logic.recognition import is_boolean, recognised, sequel
+from plainspoken.logic.recognition import is_boolean, is_errand, recognised, sequel
 
 _COPULA = re.compile(r"\b(is|are|has|have|was|were)\b(?! not\b)")
 
@@ -134,11 +134,27 @@ class _Speaker:
             case "action" if isinstance(operand, Atom):
                 return _bare(self._description(operand))
             case _:
-                return f"make sure that {self._that(operand)}"
+                return self._act_at(operand) or f"make sure that {self._that(operand)}"
+
+    def _is_done(self, errand: Formula) -> bool:
+        """Whether all that comes after the first thing is told as acts."""
+        return all(
+            self._type(each) == "action" or self._act_at(each) for each in sequel(errand)[1:]
+        )
+
+    def _act_at(self, operand: Formula) -> str:
+        """An action and where it is done: "take a photo at line 1"; "" for anything else."""
+        if not isinstance(operand, And) or len(operand.operands) != 2:
+            return ""
+        place, act = sorted(operand.operands, key=lambda each: self._type(each) != "location")
+        told = isinstance(place, Atom) and self._type(place) == "location"
+        if not isinstance(place, Atom) or not told or self._type(act) != "action":
+            return ""
+        return f"{self._do(act)} at {self._description(place)}"
 
     def _do_not(self, operand: Formula) -> str:
         """As a prohibition: "do not visit line 1"."""
-        if self._type(operand) in ("location", "action"):
+        if self._type(operand) in ("location", "action") or self._act_at(operand):
             return f"do not {self._do(operand)}"
         return f"make sure that {self._that(negated(operand))}"
 
@@ -181,7 +197,12 @@ class _Speaker:
         return f"visit {_listed(names, 'and')}" + (", in any order" if len(names) > 1 else "")
 
     def _sequence(self, places: Sequence[Formula]) -> str:
-        return ", then ".join(self._do(place) for place in places)
+        return ", then ".join(map(self._do_together, places))
+
+    def _do_together(self, operand: Formula) -> str:
+        """As an order that leaves no doubt that its parts belong to one moment."""
+        joint = isinstance(operand, And) and not self._act_at(operand)
+        return self._do(operand) + (" at the same time" if joint else "")
 
     def _pattern(self, pattern: Pattern) -> list[str]:
         match pattern:
@@ -217,7 +238,7 @@ class _Speaker:
                 return [self._reaction(pattern)]
 
     def _eventually(self, place: Formula) -> str:
-        if self._type(place):
+        if self._type(place) or self._act_at(place):
             return f"{self._do(place)} at some point"
         together = ", at the same time" if isinstance(place, And) else ""
         return f"at some point make sure that {self._that(place)}{together}"
@@ -228,7 +249,7 @@ class _Speaker:
         return f"make sure that {self._that(kept)}"
 
     def _never(self, avoided: Formula) -> str:
-        if self._type(avoided) in ("location", "action"):
+        if self._type(avoided) in ("location", "action") or self._act_at(avoided):
             return f"never {self._do(avoided)}"
         return f"at every moment, make sure that {self._that(negated(avoided))}"
 
@@ -242,6 +263,12 @@ class _Speaker:
 
     def _avoidance(self, pattern: PastAvoidance | FutureAvoidance | Wait) -> list[str]:
         match pattern:
+            case PastAvoidance(_, until) if is_errand(until) and not self._is_done(until):
+                return [self._clause(pattern.executable)]
+            case PastAvoidance(avoided, until, demanded) if is_errand(until):
+                errand = self._sequence(sequel(until))
+                guard = f"{self._do_not(avoided)} until you {errand}"
+                return [errand, guard] if demanded else [guard]
             case PastAvoidance(avoided, until, demanded):
                 together = " at the same time" if isinstance(until, And) else ""
                 guard = f"{self._do_not(avoided)} until {self._that(until)}{together}"

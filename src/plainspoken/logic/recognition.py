@@ -75,6 +75,15 @@ def sequel(formula: Formula) -> tuple[Formula, ...]:
     return _chain(formula) or (formula,)
 
 
+def is_errand(formula: Formula) -> bool:
+    """Whether a formula says one thing after another, and at the end two at once: `a & F(b & c)`.
+
+    So it is where something is carried to a place and put down there.
+    """
+    stops = _chain(formula)
+    return stops is not None and len(stops) > 1 and isinstance(stops[-1], And)
+
+
 def recognised(formula: Formula) -> tuple[Pattern | Formula, ...]:
     """The patterns whose conjunction the formula is, and the conjuncts that belong to none.
 
@@ -155,7 +164,9 @@ def _candidates(head: Formula) -> Iterator[Pattern]:
                 if _is_negative(kept)
                 else Wait(kept, goal)
             )
-        case WeakUntil(kept, goal) if is_boolean(kept) and is_boolean(goal):
+        case Until(kept, goal) if _is_negative(kept) and is_errand(goal):
+            yield PastAvoidance(negated(kept), goal, demanded=True)
+        case WeakUntil(kept, goal) if is_boolean(kept) and (is_boolean(goal) or is_errand(goal)):
             yield PastAvoidance(negated(kept), goal)
         case Implies(a, Next(b)) if is_sequel(b):
             yield PromptReaction(a, b)

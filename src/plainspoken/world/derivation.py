@@ -8,22 +8,16 @@ grape 1".
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cached_property
-from itertools import pairwise
 
 from plainspoken.logic.syntax import is_proposition
-from plainspoken.world.domain import (
-    Action,
-    AllOf,
-    AtomCondition,
-    Condition,
-    Parameter,
-    Problem,
-    changed_atoms,
-)
+from plainspoken.world.domain import Action, Parameter, Problem, changed_atoms
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
+from plainspoken.world.object_name import ObjectNames
+from plainspoken.world.reachability import reachable, required
 from plainspoken.world.symbol import flat
+from plainspoken.world.wording import Wording, is_quality, is_word
 
 MOST_DERIVED = 2000
 """More landmarks than this are not derived from a problem: nobody would read them."""
@@ -58,6 +52,7 @@ class _Naming:
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
+        self._grounded: dict[str, tuple[tuple[str, ...], ...]] = {}
 
     # Who moves, and where.
 
@@ -99,64 +94,33 @@ class _Naming:
     @cached_property
     def _place_objects(self) -> frozenset[str]:
         return frozenset(
-            atom[-1] for predicate in self._motions for atom in self._groundings(predicate)
+            atom[-1] for predicate in self._motions for atom in self._groundings_of(predicate)
         )
 
-    # Objects.
+    # Words.
 
     @cached_property
-    def _objects(self) -> Mapping[str, tuple[str, ...]]:
-        """Each object's ways to be called, the best first."""
-        return {name: tuple(dict.fromkeys(self._called(name))) for name in self._problem.objects}
+    def _wording(self) -> Wording:
+        domain = self._problem.domain
+        actions = (action.name for action in domain.actions)
+        return Wording((*domain.types, *domain.predicates, *actions, *self._problem.objects))
 
-    def _called(self, name: str) -> Iterator[str]:
-        plain = spaced(name)
-        kinds = self._kinds(name)
-        number = re.fullmatch(r"([a-z]+)[-_]?(\d+)", name)
-        for kind in kinds:
-            alone = len(self._of_kind(kind)) == 1
-            if number and _abbreviates(number[1], kind):
-                yield f"{spaced(kind)} {number[2]}"
-            elif name.startswith(kind) and len(name) == len(kind) + 1:
-                yield f"{spaced(kind)} {name[-1]}"
-            elif alone and _abbreviates(name.rstrip("0123456789") or name, kind):
-                yield f"the {spaced(kind)}"
-        for kind, above in pairwise(kinds):
-            if len(self._of_kind(kind)) == 1:
-                yield f"the {spaced(kind)} {spaced(above)}"
-        yield plain
-        for kind in kinds[:1]:
-            if spaced(kind) not in plain:
-                yield f"{spaced(kind)} {plain}"
-                if len(self._of_kind(kind)) == 1:
-                    yield f"the {spaced(kind)}"
-
-    def _kinds(self, name: str) -> list[str]:
-        """The types of an object, nearest first, and static predicates that stand for types."""
-        found = []
-        own = self._problem.objects[name]
-        while own != "object" and own not in found:
-            found.append(own)
-            own = self._problem.domain.types.get(own, "object")
-        for predicate, parameters in self._problem.domain.predicates.items():
-            static = predicate not in self._problem.changing_predicates
-            if static and len(parameters) == 1 and f"{predicate} {name}" in self._problem.initial:
-                found.append(predicate)
-        return found
-
-    def _of_kind(self, kind: str) -> tuple[str, ...]:
-        return self._problem.objects_for(Parameter("?", (kind,))) or tuple(
-            name for name in self._problem.objects if f"{kind} {name}" in self._problem.initial
-        )
+    @cached_property
+    def _objects(self) -> ObjectNames:
+        return ObjectNames(self._problem, self._wording, self._agents)
 
     def _name(self, name: str) -> str:
         return self._objects[name][0]
+
+    def _kind_words(self, name: str) -> frozenset[str]:
+        kinds = self._objects.kinds(name)
+        return frozenset(word for kind in kinds for word in self._wording.spaced(kind).split())
 
     # Places.
 
     def places(self) -> Iterator[Landmark]:
         for predicate, movers in self._motions.items():
-            for arguments in self._groundings(predicate):
+            for arguments in self._groundings_of(predicate):
                 *movings, place = arguments
                 if movings and movings[0] not in movers:
                     continue
@@ -167,22 +131,20 @@ class _Naming:
                     continue
                 # Of several robots the bare name of a place may mean any: it stays askable.
                 robot, *others = self._objects[movings[0]]
-                ways = tuple(
-                    f"{robot} {verb} {called[0]}"
-                    for verb in ("to", "in", "visits", "visit", "goes to", "go to", "is at")
-                )
-                more = tuple(f"{other} at {called[0]}" for other in others)
+                more = (f"{each} is at {called[0]}" for each in (robot, *others))
                 yield Landmark(
-                    id, f"{robot} at {called[0]}", LandmarkType.LOCATION, (*ways, *more, *called)
+                    id, f"{robot} at {called[0]}", LandmarkType.LOCATION, (*more, *called)
                 )
 
     # Actions.
 
     def actions(self) -> Iterator[Landmark]:
         for schema in self._problem.domain.actions:
-            plain = f"to {spaced(schema.name)}"
-            full = f"to {self._with_article(schema)}"
-            ways = dict.fromkeys((full, plain, *self._with_parent(schema, full)))
+            plain = self._wording.verbal(schema.name)
+            full = self._with_article(schema)
+            longer = tuple(self._with_objects(schema, full))
+            said = (full, *longer, plain) if " the " in full else (*longer, full, plain)
+            ways = dict.fromkeys(f"to {way}" for way in (*said, *self._with_parent(schema, full)))
             description, *names = ways
             yield Landmark(
                 f"{flat(schema.name)}_executed", description, LandmarkType.ACTION, tuple(names)
@@ -192,22 +154,75 @@ class _Naming:
             yield from self._instances(schema)
 
     def _with_article(self, schema: Action) -> str:
-        """An action's words, with an article before a type: "check a grape", "empty the box"."""
-        words = spaced(schema.name).split()
+        """An action's words with articles: "check a grape", "empty the box", "call the worker"."""
+        words = self._wording.verbal(schema.name).split()
+        types = self._problem.domain.types
         for place, word in enumerate(words[1:], start=1):
-            if word in self._problem.domain.types:
-                alone = len(self._of_kind(word)) == 1
-                article = "the" if alone else "an" if word[0] in "aeiou" else "a"
-                words[place] = f"{article} {word}"
+            if word in types:
+                words[place] = self._objects.any_of(word)
+        if len(words) == 2 and words[1] not in _PARTICLES and is_word(words[1]):
+            return f"{words[0]} the {words[1]}"
         return " ".join(words)
+
+    def _with_objects(self, schema: Action, words: str) -> Iterator[str]:
+        """The same words with what the action is done to, where its name leaves that out."""
+        verb, *rest = self._wording.verbal(schema.name).split()
+        things = [p for p in schema.parameters if not self._is_setting(schema, p)]
+        named = [p for p in schema.parameters if set(_type_words(p)) & set(rest)]
+        if named:
+            for parameter in things:
+                fitting = tuple(self._fitting(schema, parameter))
+                if parameter not in named and len(fitting) == 1:
+                    yield f"{words} in {self._name(fitting[0])}"
+            return
+        direct = not rest or rest[-1] in _PARTICLES
+        if not things:
+            yield from (f"{words} the {noun}" for noun in self._subjects_changed(schema) if direct)
+            things = [p for p in schema.parameters if self._is_changed(schema, p)]
+        for parameter in things[:1]:
+            fitting = tuple(self._fitting(schema, parameter))
+            if any(name in self._mobile for name in fitting):
+                continue
+            called = self._objects[fitting[0]][:2] if len(fitting) == 1 else ()
+            kinds = [self._objects.any_of(each) for each in parameter.types if each != "object"]
+            for each in (*called, *kinds):
+                yield f"{words} {each}" if direct else f"{words} of {each}"
+                if not direct and self._is_setting(schema, parameter):
+                    yield f"{verb} {each}"
+
+    def _subjects_changed(self, schema: Action) -> Iterator[str]:
+        """What an action changes and nothing else: (floor-wet) of `mop` is "the floor"."""
+        changed = {atom.predicate for atom, _ in changed_atoms(schema.effect)}
+        for predicate in changed if len(changed) == 1 else ():
+            parameters = self._problem.domain.predicates[predicate]
+            words = self._wording.spaced(predicate).split()
+            own = all(name in self._mobile for p in parameters for name in
+                      self._problem.objects_for(p))  # fmt: skip
+            if own and len(words) == 2 and words[0] not in _RELATIONS | _VERBS | {"not"}:
+                noun, _ = _noun_first(words)
+                yield noun
+
+    @cached_property
+    def _mobile(self) -> frozenset[str]:
+        """Whatever moves, by itself or with another's doing."""
+        return frozenset(self._agents) | {
+            atom[0]
+            for predicate in self._motions
+            for atom in self._groundings_of(predicate)
+            if len(atom) == 2
+        }
+
+    def _is_changed(self, schema: Action, parameter: Parameter) -> bool:
+        """Whether something that is said of one thing alone becomes so, or not so, of it."""
+        return any(atom.terms == (parameter.name,) for atom, _ in changed_atoms(schema.effect))
 
     def _with_parent(self, schema: Action, words: str) -> Iterator[str]:
         """The same words with a type's parent behind the type: "call the support robot"."""
         types = self._problem.domain.types
-        for word in spaced(schema.name).split():
+        for word in self._wording.spaced(schema.name).split():
             above = types.get(word, "object")
             if above != "object":
-                yield re.sub(rf"\b{word}\b", f"{word} {spaced(above)}", words)
+                yield re.sub(rf"\b{word}\b", f"{word} {self._wording.spaced(above)}", words)
 
     def _by_robot(self, schema: Action) -> Iterator[Landmark]:
         able = [
@@ -218,14 +233,15 @@ class _Naming:
         ]
         if len(able) < 2:
             return
-        words = spaced(schema.name)
+        words = self._wording.verbal(schema.name)
+        verb, _, rest = words.partition(" ")
         for name in able:
-            robot = self._name(name)
+            names = (f"{robot} {_third(verb)} {rest}".strip() for robot in self._objects[name])
             yield Landmark(
                 f"{flat(name)}_executes_{flat(schema.name)}",
-                f"to {words} with {robot}",
+                f"to {words} with {self._name(name)}",
                 LandmarkType.ACTION,
-                (f"{robot} {words}",),
+                (*names, f"to {words} {self._name(name)}"),
             )
 
     def _instances(self, schema: Action) -> Iterator[Landmark]:
@@ -247,14 +263,26 @@ class _Naming:
                 if made > MOST_OF_A_KIND:
                     return
                 at = "at " if objects and self._is_setting(schema, parameter) else ""
-                called = self._objects[name]
-                ways = tuple(f"to {_completed(schema, at, way)}" for way in called)
+                ways = dict.fromkeys(
+                    f"to {self._completed(schema, at, name, way)}" for way in self._objects[name]
+                )
+                description, *names = ways
                 yield Landmark(
                     f"{flat(schema.name)}_{flat(name)}_executed",
-                    ways[0],
+                    description,
                     LandmarkType.ACTION,
-                    ways[1:],
+                    tuple(names),
                 )
+
+    def _completed(self, schema: Action, at: str, name: str, called: str) -> str:
+        """An action's words with its object, whose type the action may already name."""
+        words = self._wording.verbal(schema.name).split()
+        kinds = [] if at else [kind for kind in self._objects.kinds(name) if kind in words[1:]]
+        if kinds:
+            place = words.index(kinds[0])
+            return " ".join([*words[:place], called, *words[place + 1 :]])
+        joint = "for " if len(words) > 1 and words[-1] not in _PARTICLES and not at else ""
+        return f"{' '.join(words)} {at or joint}{called}"
 
     def _is_setting(self, schema: Action, parameter: Parameter) -> bool:
         """Whether a parameter is a place or a robot, and not what the action is done to."""
@@ -267,7 +295,7 @@ class _Naming:
 
     def conditions(self) -> Iterator[Landmark]:
         for predicate in sorted(self._problem.changing_predicates):
-            for made, arguments in enumerate(self._groundings(predicate)):
+            for made, arguments in enumerate(self._groundings_of(predicate)):
                 if made >= MOST_OF_A_KIND:
                     break
                 ways = dict.fromkeys(self._condition(predicate, arguments))
@@ -276,19 +304,30 @@ class _Naming:
                 yield Landmark(id, description, LandmarkType.CONDITION, tuple(names))
 
     def _condition(self, predicate: str, arguments: tuple[str, ...]) -> Iterator[str]:
-        words = spaced(predicate).split()
+        words = self._wording.spaced(predicate).split()
         match arguments:
             case ():
-                yield f"the {' '.join(words[:-1])} is {words[-1]}" if words[1:] else words[0]
+                yield from _of_none(words)
             case (one,):
+                plain = words[0] not in _RELATIONS | _VERBS | {"not"} and words[1:]
+                if plain and len(self._groundings_of(predicate)) == 1:
+                    yield from _of_none(words)
                 for called in self._objects[one][:3]:
                     yield self._of_one(words, one, called)
             case (one, other):
+                if words[-1] not in _RELATIONS and self._is_only(predicate, arguments):
+                    for called in self._objects[one][:2]:
+                        yield self._of_one(words, one, called)
                 for called in self._objects[one][:2]:
                     for second in self._objects[other][:2]:
                         yield self._of_two(words, (one, other), called, second)
             case _:
                 yield " ".join([*words, *map(self._name, arguments)])
+
+    def _is_only(self, predicate: str, arguments: tuple[str, ...]) -> bool:
+        """Whether a predicate holds of the first argument with no other place but this one."""
+        own = [each for each in self._groundings_of(predicate) if each[0] == arguments[0]]
+        return len(own) == 1 and arguments[1] in self._place_objects
 
     def _of_one(self, words: list[str], one: str, called: str) -> str:
         head, tail = words[0], words[-1]
@@ -297,20 +336,18 @@ class _Naming:
         if tail.endswith("ing") and one not in self._agents:
             return f"the robot is {' '.join(words)} {called}"
         if len(words) == 1 or head in _RELATIONS or head == "not":
-            return f"{called} is {' '.join(words)}"
-        if head in {word for kind in self._kinds(one) for word in spaced(kind).split()}:
+            return f"{called} is {' '.join(_with_the(words))}"
+        if head in self._kind_words(one):
             return f"{called} is {' '.join(words[1:])}"
         return f"the {' '.join(words[:-1])} of {called} is {tail}"
 
     def _of_two(self, words: list[str], both: tuple[str, str], called: str, second: str) -> str:
         one, other = both
-        kinds = {word for kind in self._kinds(one) for word in spaced(kind).split()}
+        kinds = self._kind_words(one)
         rest = [word for word in words[:-1] if word not in kinds and word not in ("obj", "object")]
         tail = words[-1]
         if other in self._place_objects and tail not in _RELATIONS:
-            article = ["the"] if words[0] in _RELATIONS else []
-            joined = " ".join([words[0], *article, *words[1:]] if article else words)
-            return f"{called} is {joined} at {second}"
+            return f"{called} is {' '.join(_with_the(words))} at {second}"
         if tail in _RELATIONS:
             return f"{called} is {' '.join([*rest, tail])} {second}"
         if tail.endswith(("ing", "ed")):
@@ -320,8 +357,18 @@ class _Naming:
 
     # What can be true at all.
 
+    def _groundings_of(self, predicate: str) -> tuple[tuple[str, ...], ...]:
+        if predicate not in self._grounded:
+            self._grounded[predicate] = tuple(self._groundings(predicate))
+        return self._grounded[predicate]
+
     def _groundings(self, predicate: str) -> Iterator[tuple[str, ...]]:
-        """The ground atoms of a predicate whose objects some action, or the start, allows."""
+        """The ground atoms of a predicate that some execution may make true, as far as is seen."""
+        if self._reached is not None:
+            found = self._reached.get(predicate, {})
+            order = {name: place for place, name in enumerate(self._problem.objects)}
+            yield from sorted(found, key=lambda each: [order[name] for name in each])
+            return
         parameters = self._problem.domain.predicates[predicate]
         for binding in self._problem.bindings(parameters):
             arguments = tuple(binding.values())
@@ -337,6 +384,10 @@ class _Naming:
                 yield arguments
 
     @cached_property
+    def _reached(self) -> dict[str, dict[tuple[str, ...], None]] | None:
+        return reachable(self._problem)
+
+    @cached_property
     def _ways(self) -> dict[str, set[tuple[frozenset[str], ...]]]:
         """For each predicate that is added: the static predicates each argument must satisfy."""
         found: dict[str, set[tuple[frozenset[str], ...]]] = {}
@@ -350,7 +401,7 @@ class _Naming:
 
     def _needed(self, action: Action) -> dict[str, frozenset[str]]:
         found: dict[str, frozenset[str]] = {}
-        for atom in _required(action.precondition):
+        for atom in required(action.precondition):
             if len(atom.terms) == 1 and atom.predicate not in self._problem.changing_predicates:
                 term = atom.terms[0]
                 found[term] = found.get(term, frozenset()) | {atom.predicate}
@@ -363,43 +414,47 @@ class _Naming:
                 yield name
 
 
-def spaced(name: str) -> str:
-    """A PDDL name as words: `robot-at` is "robot at", `line3` is "line 3", `l3` stays."""
-    words = re.sub(r"[-_]+", " ", name).strip()
-    return re.sub(r"\b([a-z]{3,})(\d+)\b", r"\1 \2", words)
+def _of_none(words: list[str]) -> Iterator[str]:
+    """What is said without naming of what: `stove-on` is "the stove is on"."""
+    if words[0] == "not" and len(words) > 1:
+        for way in _of_none(words[1:]):
+            yield way.replace(" is ", " is not ", 1) if " is " in way else f"not {way}"
+        return
+    if len(words) == 1 or words[0] in _VERBS:
+        yield " ".join(words) if len(words) == 1 else f"the robot {' '.join(words)}"
+        return
+    if words[0] in _RELATIONS:
+        yield f"the robot is {' '.join(_with_the(words))}"
+        return
+    noun, state = _noun_first(words)
+    yield f"the {noun} is {state}"
 
 
-def _abbreviates(short: str, kind: str) -> bool:
-    """Whether a name is short for a type: its first letters, or some of them in order."""
-    short, kind = short.replace("-", "").replace("_", ""), kind.replace("-", "").replace("_", "")
-    if not short or len(short) > len(kind) or short[0] != kind[0]:
-        return False
-    rest = iter(kind)
-    return all(letter in rest for letter in short)
+def _noun_first(words: list[str]) -> tuple[str, str]:
+    """Who or what, and how it is: of "hand empty" as well as of "empty hand"."""
+    if len(words) == 2 and is_quality(words[0]) and not is_quality(words[1]):
+        return words[1], words[0]
+    return " ".join(words[:-1]), words[-1]
 
 
-def _completed(schema: Action, at: str, called: str) -> str:
-    """An action's words with its object, whose type the action may already name."""
-    words = spaced(schema.name).split()
-    kind = called.removeprefix("the ").split()[0]
-    if not at and kind in words:
-        place = words.index(kind)
-        return " ".join([*words[:place], called, *words[place + 1 :]])
-    joint = "for " if len(words) > 1 and words[-1] not in _PARTICLES and not at else ""
-    return f"{' '.join(words)} {at or joint}{called}"
+def _with_the(words: list[str]) -> list[str]:
+    """The words of a relation with its noun's article: "in the hand"."""
+    if len(words) < 2 or words[0] not in _RELATIONS or words[1] in _RELATIONS | {"the"}:
+        return words
+    return [words[0], "the", *words[1:]]
+
+
+def _third(verb: str) -> str:
+    """A verb as it is said of someone: "drives"."""
+    if verb.endswith("y") and verb[-2:-1] not in "aeiou":
+        return f"{verb[:-1]}ies"
+    return f"{verb}es" if verb.endswith(("s", "sh", "ch", "x", "o")) else f"{verb}s"
+
+
+def _type_words(parameter: Parameter) -> Iterator[str]:
+    for type in parameter.types:
+        yield from re.split(r"[-_]+", type)
 
 
 def _names(schema: Action) -> frozenset[str]:
     return frozenset(parameter.name for parameter in schema.parameters)
-
-
-def _required(condition: Condition) -> Iterator[AtomCondition]:
-    """The atoms that a condition plainly needs."""
-    match condition:
-        case AtomCondition():
-            yield condition
-        case AllOf(conditions):
-            for part in conditions:
-                yield from _required(part)
-        case _:
-            return
