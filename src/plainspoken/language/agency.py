@@ -7,7 +7,7 @@ stands for the robot that is spoken to. Who is spoken of is told by subjects ("t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from plainspoken.language.frame import Frames, Mention, Thing
@@ -37,6 +37,18 @@ _VERBAL_WORDS = """
 _VERBAL = _HOLDING_OPEN | frozenset(_VERBAL_WORDS.split())
 _THERE = frozenset(("there", "it"))
 _AT = frozenset(("in", "at", "to", "into", "inside", "on", "of", "near", "out", "leaves", "enters"))
+_SENDING_WORDS = """
+    send sends sending dispatch dispatching direct order instruct tell ask request guide escort
+"""
+_SENDING = frozenset(_SENDING_WORDS.split())
+"""Verbs that make somebody go, where no act of the domain is named by them."""
+_TELLING = frozenset(("tell", "ask", "order", "instruct", "request", "direct"))
+"""Those of them behind which "and" goes on telling what they are to do."""
+_ARRIVING_WORDS = """
+    arrives arrive arrived comes appears joins shows turns does is has did do
+"""
+_ARRIVING = frozenset(_ARRIVING_WORDS.split())
+_THEM = frozenset(("him", "her", "them", "it"))
 _ASIDE = frozenset(("out", "away", "off", "clear", "from"))
 
 _ORDERS_WORDS = """
@@ -59,12 +71,20 @@ class _Clause:
 
 
 def told_apart(
-    said: tuple[Word, ...], found: tuple[Reference, ...], frames: Frames
+    said: tuple[Word, ...],
+    found: tuple[Reference, ...],
+    frames: Frames,
+    deeds: Mapping[tuple[Thing, SymbolId], SymbolId],
+    doers: Mapping[SymbolId, Thing],
 ) -> tuple[tuple[Word, ...], tuple[Reference, ...]]:
-    """Give each place to whoever is said to be there; their names become "robot"."""
+    """Give each place to whoever is said to be there; their names become "robot".
+
+    deeds: for somebody and an act, the symbol that says that they do it
+    doers: who it is that a symbol says to do something
+    """
     if not frames.movers:
         return said, found
-    return _Teller(said, found, frames).told()
+    return _Teller(said, found, frames, deeds, doers).told()
 
 
 def mover_at(said: Sequence[Word], index: int, frames: Frames) -> Mention | None:
@@ -100,9 +120,16 @@ def _named(thing: Thing, said: Sequence[Word], index: int) -> int | None:
 
 class _Teller:
     def __init__(
-        self, said: tuple[Word, ...], found: tuple[Reference, ...], frames: Frames
+        self,
+        said: tuple[Word, ...],
+        found: tuple[Reference, ...],
+        frames: Frames,
+        deeds: Mapping[tuple[Thing, SymbolId], SymbolId],
+        doers: Mapping[SymbolId, Thing],
     ) -> None:
         self._said = list(said)
+        self._deeds = deeds
+        self._doers = doers
         self._frames = frames
         self._found = {each.first: each for each in found}
         self._out: list[Reference] = []
@@ -166,6 +193,11 @@ class _Teller:
         if other is not None:
             self._used.add(other)
         cut = each.last - 1
+        if each.negated and each.obliged:
+            each = replace(each, negated=False, never=True)
+        if each.never and self._text(each.last) == "together":
+            both = self._said[each.last]
+            self._said[each.last] = replace(both, text="simultaneously")
         self._out.append(replace(each, symbol=symbol, last=cut - 1))
         self._said[cut - 1] = replace(self._said[cut - 1], text="and")
         self._out.append(replace(each, first=cut, form=Form.NOUN, never=False, obliged=False))
@@ -175,10 +207,18 @@ class _Teller:
 
     def _passed(self, each: Reference) -> None:
         """An act, or what is so: an imperative ends what was said of a mover."""
+        each = self._done_by(each)
+        sent = self._sent(each.first)
         if each.symbol in self._own:
             place, self._last = self._own[each.symbol]
             self._place = (place, self._last)
-        if each.form is Form.BASE and not self._clause.sticky:
+        if each.symbol in self._doers and not self._clause.sticky:
+            self._last = self._doers[each.symbol]
+            held = each.obliged or self._text(each.first - 1) in _OPEN
+            self._clause = _Clause(
+                (self._last,), open=held or self._clause.open, subordinate=self._clause.subordinate
+            )
+        elif each.form is Form.BASE and not self._clause.sticky:
             self._clause = _Clause()
         elif each.symbol in self._own and not self._clause.sticky:
             before = each.first - 1 - (self._text(each.first - 1) == "the")
@@ -186,14 +226,44 @@ class _Teller:
                 self._both(each, self._clause.agents[-1])
                 return
             self._clause.agents = (self._last,)
+            self._clause.open |= self._is_bound(each) or (self._text(before) in _OPEN and not sent)
         self._clause.fresh = False
+        self._named_in(each)
         self._out.append(each)
+
+    def _is_bound(self, each: Reference) -> bool:
+        """Whether somebody must be there, so that "and" goes on telling what they must do."""
+        own = {word.text for word in self._said[each.first : each.last]}
+        return each.obliged and not own.isdisjoint(_VERBAL | {"needs", "ought"})
+
+    def _done_by(self, each: Reference) -> Reference:
+        """The act of another, where the clause is about them: "the crane is to lift, then turn"."""
+        agents = self._clause.agents
+        symbol = self._deeds.get((agents[-1], each.symbol)) if agents and agents[-1] else None
+        told = self._clause.open or self._clause.subordinate or each.form is not Form.BASE
+        return replace(each, symbol=symbol) if symbol is not None and told else each
+
+    def _named_in(self, each: Reference) -> None:
+        """Remember whom an act is done to: "call the crane and have it come to the gate"."""
+        for place in range(each.first, each.last) if each.symbol not in self._own else ():
+            mention = mover_at(self._said, place, self._frames)
+            if mention is not None and mention.last <= each.last:
+                self._last = mention.thing
+
+    def _sent(self, first: int) -> bool:
+        """Read "send the crane to the gate" as having it there; whether that is all of it."""
+        before = first - 1 - (self._text(first - 1) in ("the", "your", "our"))
+        verb = self._text(before)
+        if verb in _SENDING:
+            self._said[before] = replace(self._said[before], text="have")
+        return verb in _SENDING - _TELLING
 
     def _met(self, mention: Mention) -> None:
         before = self._text(mention.first - 1)
         if before in ("the", "a", "your", "our"):
             before = self._text(mention.first - 2)
         behind = self._text(mention.last)
+        self._sent(mention.first)
         self._last = mention.thing
         self._names.append(mention)
         clause = self._clause
@@ -209,7 +279,7 @@ class _Teller:
         agents = (*clause.agents, mention.thing) if joined else (mention.thing,)
         self._clause = _Clause(
             agents,
-            open=before in _OPEN,
+            open=before in _OPEN | _TELLING,
             sticky=opening and behind == ",",
             subordinate=clause.subordinate,
         )
@@ -264,10 +334,10 @@ class _Teller:
         elif text == "," and clause.subordinate:
             self._clause, self._since = _Clause(), []
         elif text in _GENERAL_PLURAL and self._text(index - 1) in ("both", "two", "the", "all"):
-            others = [t for t in self._frames.movers if t not in self._default]
-            several = tuple(dict.fromkeys(others))
-            if len(several) == 1:
-                self._clause = _Clause((None, several[0]), open=True)
+            several = self._others()
+            if len(several) == 1 or (len(several) == 2 and not self._default):
+                agents = (None, *several) if len(several) == 1 else several
+                self._clause = _Clause(agents, open=True)
                 denied = {each.text for each in self._said[:index]} & {"never", "no", "not"}
                 if denied and self._text(index - 1) == "both":
                     # "never both at the gate" forbids the two of them at once.
@@ -278,19 +348,34 @@ class _Teller:
         elif text in ("it", "he", "she", "they") and self._text(index + 1) in _VERBAL:
             if self._last is not None and not clause.sticky:
                 self._clause = _Clause((self._last,), open=True, subordinate=clause.subordinate)
-        elif text in _HOLDING_OPEN:
+        elif text in _THEM and self._text(index - 1) in _OPEN | {"get", "bring"} | _SENDING:
+            if self._last is not None and self._text(index + 1) not in _STOPS:
+                self._sent(index)
+                self._clause = _Clause((self._last,), open=True, subordinate=clause.subordinate)
+                self._said[index] = replace(word, text="robot")
+        elif text in _HOLDING_OPEN or (
+            text in ("has", "needs", "ought", "is") and self._text(index + 1) == "to"
+        ):
             clause.open = True
         elif text in _JOINING and not clause.sticky and not clause.open and self._orders(index + 1):
             self._clause, self._since = _Clause(), []
         self._points(index)
         self._answers(index)
 
+    def _others(self) -> tuple[Thing, ...]:
+        """Who moves beside whoever is spoken to, each by one name."""
+        found: dict[tuple[SymbolId, ...], Thing] = {}
+        for thing, there in self._frames.movers.items():
+            if thing not in self._default:
+                found.setdefault(tuple(there.values()), thing)
+        return tuple(found.values())
+
     def _answers(self, index: int) -> None:
         """Read "(not before) the crane does" as the crane at the place last spoken of."""
         mention = self._names[-1] if self._names else None
         if (
             mention is None or mention.last != index or self._place is None
-            or self._text(index) not in ("does", "is", "has", "did", "do")
+            or self._text(index) not in _ARRIVING
             or (self._text(index + 1) not in _STOPS | {","} and index + 1 < len(self._said))
         ):  # fmt: skip
             return

@@ -10,9 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum, auto
 
-from plainspoken.language.item import Count
+from plainspoken.language.counting import Count
+from plainspoken.language.grounding import Shape
 from plainspoken.language.lexicon import Kind
-from plainspoken.language.reference import Reference
+from plainspoken.language.reference import Form, Reference
 
 
 class Act(StrEnum):
@@ -58,6 +59,12 @@ class Clause:
     pointed: bool = False  # it only points back to what was spoken of
     denied: bool = False  # its connector has a "not" or "never" of its own
 
+    @property
+    def travels(self) -> bool:
+        """Whether it tells of an errand with several stops."""
+        errands = (operand.reference.errand for operand in self.operands)
+        return any(each is not None and each.travels for each in errands)
+
 
 @dataclass(frozen=True, slots=True)
 class Statement:
@@ -78,13 +85,24 @@ CONNECTORS = frozenset(
 
 def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
     """Attach each subordinate clause to the main clause that it stands beside."""
+    found = _nested(found)
     made: list[Statement] = []
     waiting: list[Clause] = []
     preposed = False
     for index, said in enumerate(found):
         forbids = _forbids(said, made, found[index + 1 :])
         clause = replace(said, connector=None, act=Act.AVOID) if forbids else said
-        if clause.connector is None:
+        if made and not waiting and _is_beside(clause, made[-1]):
+            made[-1] = replace(made[-1], main=_throughout(made[-1], clause))
+            beside_it = made[-1].main
+            made.append(Statement(_throughout(Statement(_demand(clause)), beside_it)))
+        elif clause.connector is None:
+            beside = [each for each in waiting if _is_beside(each, Statement(clause))]
+            for each in beside:
+                made.append(Statement(_throughout(Statement(_demand(each)), clause)))
+                waiting.remove(each)
+            if any(each.travels for each in beside):
+                clause = replace(clause, flags=_throughout(Statement(clause), clause).flags)
             if preposed and not waiting and _shares(clause, made[-1], found[index + 1 :]):
                 waiting = list(made[-1].subordinates)
             preposed = bool(waiting)
@@ -100,7 +118,144 @@ def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
             waiting.append(clause)
     if waiting and made:
         made[-1] = Statement(made[-1].main, (*made[-1].subordinates, *waiting))
-    return tuple(map(_restricted, made))
+    return _otherwise([_restricted(_around(each)) for each in made])
+
+
+_REACTIVE = (Kind.WHEN, Kind.WHENEVER, Kind.PROMPTLY)
+
+
+def _nested(found: Sequence[Clause]) -> Sequence[Clause]:
+    """Read "whenever a, if b, ..." and "if a while b, ..." as one condition: a and b."""
+    made: list[Clause] = []
+    for clause in found:
+        before = made[-1] if made else None
+        if before is not None and _is_within(clause, before, first=len(made) == 1):
+            made[-1] = _both(before, clause)
+        else:
+            made.append(clause)
+    return made
+
+
+def _both(before: Clause, clause: Clause) -> Clause:
+    """Two conditions as one: both of them."""
+    operands = [*_as_told(before), *_as_told(clause)]
+    operands[len(before.operands)] = replace(operands[len(before.operands)], link=Kind.AND)
+    reacts = clause if before.connector is Kind.WHILE else before
+    return replace(
+        before, connector=reacts.connector, act=Act.DO, operands=tuple(operands),
+        flags=before.flags | clause.flags, told=before.told or clause.told,
+    )  # fmt: skip
+
+
+def _otherwise(made: Sequence[Statement]) -> tuple[Statement, ...]:
+    """Put "otherwise b" under the denial of the condition before: "if a, b; otherwise c"."""
+    found: list[Statement] = []
+    condition: Clause | None = None
+    for each in made:
+        flagged = Kind.OTHERWISE in each.main.flags
+        if flagged and condition is not None and not each.subordinates:
+            act = Act.AVOID if condition.act is Act.DO else Act.DO
+            main = replace(each.main, flags=each.main.flags - {Kind.OTHERWISE}, link=None)
+            found.append(Statement(main, (replace(condition, act=act),)))
+            continue
+        reacts = [c for c in each.subordinates if c.connector in (*_REACTIVE, Kind.WHILE)]
+        condition = reacts[0] if len(reacts) == 1 and reacts[0].operands else None
+        found.append(each)
+    return tuple(found)
+
+
+def _around(statement: Statement) -> Statement:
+    """Read "when a, do b, provided that c" as one condition: a and c."""
+    match statement.subordinates:
+        case (before, behind) if (
+            not behind.pointed
+            and before.operands != behind.operands
+            and behind.link in (None, Kind.COMMA)
+            and _is_within(behind, before, first=True)
+        ):
+            return replace(statement, subordinates=(_both(before, behind),))
+        case _:
+            return statement
+
+
+def _is_within(clause: Clause, before: Clause, *, first: bool) -> bool:
+    simple = all(
+        each.operands
+        and not each.counts
+        and each.act in (Act.DO, Act.AVOID)
+        and all(operand.link in (None, Kind.AND, Kind.NOW) for operand in each.operands)
+        and (each.act is Act.DO or len(each.operands) == 1)
+        for each in (clause, before)
+    )
+    close = clause.link is None or (clause.link in (Kind.COMMA, Kind.THEN) and first)
+    inner = (Kind.WHEN, Kind.WHENEVER, Kind.WHILE)
+    return simple and close and (
+        (before.connector in _REACTIVE and clause.connector in inner)
+        or (before.connector is Kind.WHILE and clause.connector in (Kind.WHEN, Kind.WHENEVER))
+    )  # fmt: skip
+
+
+def _as_told(clause: Clause) -> list[Operand]:
+    """The operands of a situation, a denial of it put on the one that it denies."""
+    denied = clause.act is Act.AVOID
+    return [replace(each, negated=each.negated != denied) for each in clause.operands]
+
+
+def _is_beside(clause: Clause, other: Statement) -> bool:
+    """Whether "while (doing) b" asks for b beside a, and is no condition of a.
+
+    Carrying something, coming back again and again, staying away take their time: they are not a
+    situation in which something else is to be so.
+    """
+    carrying = clause.travels and clause.operands[0].reference.form is Form.GERUND
+    if not clause.operands or not (
+        clause.connector is Kind.WHILE or (carrying and clause.connector is Kind.WHEN)
+    ):
+        return False
+    main = other.main
+    if clause.travels or clause.act is Act.PATROL:
+        return True
+    placed = not clause.told and all(
+        each.reference.shape is not Shape.STATE for each in clause.operands
+    )
+    if not placed:
+        return False
+    if main.travels and all(each.negated for each in clause.operands):
+        return True
+    if clause.act is Act.AVOID:
+        return main.act is Act.PATROL or main.travels
+    if clause.act is Act.STAY and (main.travels or Kind.ALWAYS in clause.flags):
+        return True
+    done_at = any(
+        len(stop) > 1
+        for each in clause.operands
+        if each.reference.errand is not None
+        for stop in each.reference.errand.stops
+    )
+    elsewhere = all(each.reference.shape is Shape.PLACE for each in main.operands)
+    if main.act is Act.AVOID and done_at and elsewhere:
+        return True  # nobody is in two places at once
+    waits = any(each.connector in (Kind.UNTIL, Kind.BEFORE) for each in other.subordinates)
+    errand = any(each.reference.errand for each in clause.operands)
+    return main.act is Act.AVOID and waits and (errand or clause.act is Act.STAY)
+
+
+def _demand(clause: Clause) -> Clause:
+    """What a subordinate clause tells as a main one: "while not entering a" forbids a."""
+    operands = clause.operands
+    act = clause.act
+    if act is Act.DO and all(each.negated for each in operands):
+        act = Act.AVOID
+        operands = tuple(replace(each, negated=False) for each in operands)
+    return replace(clause, connector=None, link=clause.link or Kind.AND, act=act, operands=operands)
+
+
+def _throughout(statement: Statement, beside: Clause) -> Clause:
+    """What is asked for beside something else: to stay somewhere is to stay there all the time."""
+    main = statement.main
+    if main.act is not Act.STAY or statement.subordinates or not beside.operands:
+        return main
+    return replace(main, flags=main.flags | {Kind.ALWAYS})
 
 
 def _forbids(clause: Clause, made: Sequence[Statement], rest: Sequence[Clause]) -> bool:

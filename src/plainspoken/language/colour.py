@@ -11,8 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from plainspoken.language.background import without_background
 from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
+from plainspoken.language.ordering import with_orders
+from plainspoken.language.pronoun import with_pronouns
 from plainspoken.language.reference import Form
 from plainspoken.language.word import Word
 
@@ -36,7 +39,7 @@ _COURTESY = frozenset(_COURTESY_WORDS.split())
 _EMPHASIS_WORDS = """
     exceptions exception excuses excuse rush hurry dawdling dallying delay doubt worries worry
     problem need ifs buts matter questions question hesitation discussion debate more fewer less
-    breaks break shortcuts detours
+    breaks break shortcuts detours often zero several extra additional fewer seldom rarely
 """
 _EMPHASIS = frozenset(_EMPHASIS_WORDS.split())
 _TELLERS = frozenset(
@@ -63,6 +66,7 @@ _STARTS = frozenset(
      Kind.WITHOUT, Kind.WHILE, Kind.UNLESS)
 )  # fmt: skip
 _FRAMES = frozenset((Kind.WHILE, Kind.BEFORE, Kind.AFTER, Kind.UNTIL))
+_DEMANDS = frozenset((Kind.NOT, Kind.NEVER, Kind.AVOID, Kind.FORBIDDEN, Kind.PATROL, Kind.COUNT))
 _FORCE = frozenset(
     (Kind.MUST, Kind.ENSURE, Kind.COUNT, Kind.WHEN, Kind.WHENEVER, Kind.AFTER, Kind.PROMPTLY,
      Kind.BEFORE, Kind.UNTIL, Kind.UNLESS, Kind.WHILE, Kind.WITHOUT, Kind.ONLY_IF,
@@ -80,7 +84,8 @@ def without_colour(found: Sequence[Item], said: Sequence[Word]) -> tuple[Item, .
     _reported(made, said)
     _timed(made, said)
     kept: list[Item] = []
-    for piece in _pieces(made):
+    plain = with_orders(with_pronouns(without_background(made)))
+    for piece in _pieces(plain):
         kept += _piece(piece)
     return tuple(kept)
 
@@ -203,10 +208,14 @@ def _is_colour(piece: Sequence[Item]) -> bool:
     own = [item for item in piece if item.kind not in _JOINTS]
     if any(item.kind in _FORCE for item in own):
         return False
+    if own[0].text == "however" and len(own) > 1:
+        return True  # "..., however much later, ..."
     first = own[0]
     unknown = [item for item in own if item.kind is Kind.UNKNOWN]
     if all(item.text in _EMPHASIS | _COURTESY | _TIME for item in unknown):
         return True
+    if piece[-1].text == ":" and not any(item.kind in _DEMANDS for item in own):
+        return True  # "four rooms want a visit: ..."
     if any(item.text.isdigit() for item in unknown):
         return False
     if first.kind in (Kind.NOT, Kind.NEVER):

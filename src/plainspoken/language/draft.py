@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from plainspoken.language.clause import Act, Clause, Operand
+from plainspoken.language.counting import Count
 from plainspoken.language.grounding import Shape
-from plainspoken.language.item import Count
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form, Reference
 
@@ -47,6 +47,10 @@ class Draft:
     def clause(self) -> Clause:
         """What has been read; "do not leave a place" is to stay there."""
         negated = self.negations % 2 == 1
+        if self.connector is Kind.WITHOUT and self.verb is Kind.LEAVE and not negated:
+            # "without leaving a" is while staying there all the time
+            self.connector, self.verb = Kind.WHILE, Kind.STAY
+            self.flags.add(Kind.ALWAYS)
         match self.verb:
             case Kind.LEAVE if self.operands and all(
                 each.reference.shape is Shape.STATE for each in self.operands
@@ -56,6 +60,11 @@ class Draft:
                 act = Act.STAY if negated else Act.AVOID
             case Kind.AVOID:
                 act = Act.DO if negated else Act.AVOID
+            case Kind.STAY if not negated and self.operands and all(
+                each.reference.shape is Shape.ACT and each.reference.form is Form.GERUND
+                for each in self.operands
+            ):  # fmt: skip
+                act = Act.PATROL  # "keep using it"
             case Kind.STAY if not negated:
                 act = Act.STAY
             case Kind.PATROL if not negated:

@@ -4,384 +4,208 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from enum import StrEnum
-from typing import Any
+from dataclasses import replace
 
-from plainspoken.automata.equivalence import satisfiable
-from plainspoken.language.clause import Act, Clause, Operand, statements
-from plainspoken.language.colour import without_colour
-from plainspoken.language.ellipsis import resolved
+from plainspoken.errors import FormulaTooLargeError
+from plainspoken.language.ambiguity import Ambiguity, ambiguity
+from plainspoken.language.confidence import LEAST_CONFIDENT, confidence, features, is_doubtful
+from plainspoken.language.contradiction import contradiction, in_two_places
+from plainspoken.language.extracted import (
+    Extraction,
+    Reading,
+    ReferringExpression,
+    Status,
+    idleness,
+    listed,
+    literal_of,
+    names_of,
+)
 from plainspoken.language.grounding import Vocabulary
-from plainspoken.language.item import Item, items
-from plainspoken.language.lexicon import Kind
-from plainspoken.language.lifting import Lifted, lifted
-from plainspoken.language.reading import clauses
+from plainspoken.language.paraphrase import asked_whether, paraphrases
 from plainspoken.language.reference import Reference
-from plainspoken.language.word import Word, words
-from plainspoken.logic.english import say
-from plainspoken.logic.formula import Atom, Formula, conjunction, substituted
-from plainspoken.logic.pattern import NAMES
+from plainspoken.language.refusal import (
+    LONGEST,
+    idle,
+    not_understood,
+    unfinished,
+    unknown_spans,
+    unspeakable,
+)
+from plainspoken.language.sentence import Meaning, Sentence, reading_of
+from plainspoken.language.slip import Slip, asked_about, mended, slips
+from plainspoken.language.thesaurus import thesaurus
 from plainspoken.logic.syntax import unparse
-from plainspoken.logic.trace import holds
 from plainspoken.world.symbol import SymbolId
+
+__all__ = ["LONGEST", "Extraction", "Reading", "ReferringExpression", "Status", "extract"]
 
 LEAST_SURE = 0.6
 """A reference with a lower score is asked about."""
-LONGEST = 2000
-"""Characters of an utterance; nobody says more in one breath."""
 MOST_ALTERNATIVES = 4
-
-
-class Status(StrEnum):
-    """How an extraction ended."""
-
-    OK = "ok"
-    CLARIFY = "clarify"
-    REJECT = "reject"
-
-
-@dataclass(frozen=True, slots=True)
-class ReferringExpression:
-    """A piece of the utterance and the symbol that it speaks of."""
-
-    text: str
-    start: int
-    end: int
-    symbol: SymbolId
-    score: float
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """One formula that the utterance may mean, in both readings and said back in English."""
-
-    formula: Formula
-    literal: Formula
-    english: str
-    score: float
-
-
-@dataclass(frozen=True, slots=True)
-class Extraction:
-    """What became of an utterance.
-
-    reading:  the formula, where there is one to confirm (status ok) or to ask about (clarify)
-    pattern:  the names of the mission patterns, joined by " & "
-    lifted:   the literal formula over placeholders a, b, c, ...
-    note:     what the person should know of an accepted formula
-    """
-
-    utterance: str
-    status: Status
-    reading: Reading | None = None
-    pattern: str | None = None
-    lifted: str | None = None
-    referring_expressions: tuple[ReferringExpression, ...] = ()
-    alternatives: tuple[Reading, ...] = ()
-    question: str | None = None
-    reason: str | None = None
-    note: str | None = None
-    seconds: float = field(default=0.0, compare=False)
-
-    @property
-    def formula(self) -> Formula | None:
-        """The executable formula of an accepted utterance."""
-        return self.reading.formula if self.reading and self.status is Status.OK else None
-
-    def to_json(self) -> dict[str, Any]:
-        """The fields that `extract --batch` writes, without the id."""
-        reading = self.reading
-        return {
-            "utterance": self.utterance,
-            "status": str(self.status),
-            "formula": unparse(reading.formula) if reading else None,
-            "literal": unparse(reading.literal) if reading else None,
-            "english": reading.english if reading else None,
-            "pattern": self.pattern,
-            "lifted": self.lifted,
-            "referring_expressions": [
-                {
-                    "text": each.text,
-                    "start": each.start,
-                    "end": each.end,
-                    "symbol": each.symbol,
-                    "score": each.score,
-                }
-                for each in self.referring_expressions
-            ],
-            "alternatives": [
-                {
-                    "formula": unparse(each.formula),
-                    "literal": unparse(each.literal),
-                    "english": each.english,
-                    "score": each.score,
-                }
-                for each in self.alternatives
-            ],
-            "question": self.question,
-            "reason": self.reason,
-            "note": self.note,
-            "seconds": self.seconds,
-        }
 
 
 def extract(utterance: str, vocabulary: Vocabulary) -> Extraction:
     """Translate an utterance. Never raises for what a person may say."""
     started = time.perf_counter()
-    found = _Extractor(utterance, vocabulary).extraction()
+    found = _extraction(utterance, vocabulary)
+    if found.status is not Status.OK:
+        found = _otherwise_said(found, vocabulary) or found
     return replace(found, seconds=round(time.perf_counter() - started, 6))
 
 
-class _Extractor:
-    def __init__(self, utterance: str, vocabulary: Vocabulary) -> None:
-        self._utterance = utterance
-        self._vocabulary = vocabulary
-
-    def extraction(self) -> Extraction:
-        utterance = self._utterance
-        if not utterance.strip():
-            return self._rejected("Nothing was said. Say what the robot should get done.")
-        if len(utterance) > LONGEST:
-            return self._rejected(
-                f"That is {len(utterance)} characters long, and I can take {LONGEST}. "
-                "Say it in shorter pieces."
-            )
-        said, found = resolved(words(utterance), self._vocabulary)
-        shaped = without_colour(items(said, found), said)
-        problem = self._not_understood(said, shaped, found)
-        if problem is not None:
-            return problem
-        return self._translated(said, found, shaped)
-
-    def _rejected(
-        self, reason: str, expressions: tuple[ReferringExpression, ...] = ()
-    ) -> Extraction:
-        return Extraction(
-            self._utterance, Status.REJECT, reason=reason, referring_expressions=expressions
-        )
-
-    def _text(self, said: Sequence[Word], first: int, last: int) -> str:
-        return self._utterance[said[first].start : said[last - 1].end]
-
-    def _expressions(
-        self, said: Sequence[Word], found: Sequence[Reference]
-    ) -> tuple[ReferringExpression, ...]:
-        return tuple(
-            ReferringExpression(
-                self._text(said, each.first, each.last),
-                said[each.first].start,
-                said[each.last - 1].end,
-                each.symbol,
-                each.score,
-            )
-            for each in found
-        )
-
-    def _not_understood(
-        self, said: Sequence[Word], shaped: Sequence[Item], found: Sequence[Reference]
-    ) -> Extraction | None:
-        """A rejection where words that matter stand for nothing in the domain."""
-        spans: list[tuple[int, int]] = []
-        for item in shaped:
-            if item.kind is Kind.UNKNOWN:
-                if spans and spans[-1][1] == item.first:
-                    spans[-1] = (spans[-1][0], item.last)
-                else:
-                    spans.append((item.first, item.last))
-        if not spans and found:
-            return None
-        expressions = self._expressions(said, found)
-        if not spans:
-            return self._rejected(
-                "I found nothing in that sentence that the robot can visit, watch or do. "
-                + self._suggestions(self._utterance),
-                expressions,
-            )
-        partial = {each.last: each for each in found if each.score < 1.0}
-        spans = [
-            (partial[first].first if first in partial else first, last) for first, last in spans
-        ]
-        texts = [self._text(said, first, last) for first, last in spans]
-        places = [
-            f'"{text}" (characters {said[first].start} to {said[last - 1].end})'
-            for text, (first, last) in zip(texts, spans, strict=True)
-        ]
-        return self._rejected(
-            f"I do not understand {_listed(places, 'and')}. " + self._suggestions(texts[0]),
-            expressions,
-        )
-
-    def _suggestions(self, text: str) -> str:
-        nearest = self._vocabulary.nearest(text)
-        named = [f'"{landmark.description}"' for landmark in nearest]
-        return f"The nearest that I know: {_listed(named, 'and')}." if named else ""
-
-    def _translated(
-        self, said: Sequence[Word], found: Sequence[Reference], shaped: Sequence[Item]
-    ) -> Extraction:
-        expressions = self._expressions(said, found)
-        parsed = clauses(shaped)
-        rivals = next((each for each in found if each.rivals), None)
-        reading, patterns, over_placeholders, idle = self._reading(parsed, {})
-        if idle.remarks:
-            return self._rejected(
-                "That tells me how things are. Say what to do about it, or begin with "
-                '"make sure that".',
-                expressions,
-            )
-        open_end = next(
-            (
-                each
-                for place, each in enumerate(parsed)
-                if _is_open(each, parsed[max(place - 1, 0) : place + 2])
-            ),
-            None,
-        )
-        if open_end is not None and reading is not None:
-            word = str(open_end.connector or "not").replace("_", " ")
-            return self._rejected(
-                f'I do not see what you mean after "{word}". Name the place, the condition '
-                "or the action.",
-                expressions,
-            )
-        if reading is None:
-            return self._rejected(
-                "That allows something, but asks for nothing."
-                if idle.permissions
-                else "I found what you speak of, but not what to do about it. "
-                "Say for example to visit, avoid, or wait.",
-                expressions,
-            )
-        unsure = rivals or next((each for each in found if each.score < LEAST_SURE), None)
-        if unsure is not None:
-            return self._asked(said, parsed, unsure, expressions)
-        if not satisfiable(reading.formula):
-            return self._contradiction(parsed, reading, expressions)
-        return Extraction(
-            self._utterance,
-            Status.OK,
-            reading,
-            patterns,
-            over_placeholders,
-            expressions,
-            note=_note(reading.formula),
-        )
-
-    def _reading(
-        self, parsed: Sequence[Clause], chosen: dict[SymbolId, SymbolId]
-    ) -> tuple[Reading | None, str, str, Lifted]:
-        names: dict[SymbolId, str] = {}
-
-        def placeholder(operand: Operand) -> Atom:
-            symbol = operand.reference.symbol
-            return Atom(names.setdefault(symbol, _placeholder(len(names))))
-
-        def persists(operand: Operand) -> bool:
-            symbol = operand.reference.symbol
-            return operand.negated or self._vocabulary.persists(symbol)
-
-        result: Lifted = lifted(statements(parsed), placeholder, persists)
-        if not result.patterns:
-            return None, "", "", result
-        symbols = {name: chosen.get(symbol, symbol) for symbol, name in names.items()}
-
-        def grounded(formula: Formula) -> Formula:
-            return substituted(formula, lambda name: Atom(symbols[name]))
-
-        literal = conjunction(*(each.literal for each in result.patterns))
-        executable = grounded(conjunction(*(each.executable for each in result.patterns)))
-        scores = [o.reference.score for clause in parsed for o in clause.operands]
-        reading = Reading(
-            executable,
-            grounded(literal),
-            say(executable, self._vocabulary.landmarks),
-            round(min(scores, default=1.0), 3),
-        )
-        pattern = " & ".join(dict.fromkeys(NAMES[type(each)] for each in result.patterns))
-        return reading, pattern, unparse(literal), result
-
-    def _asked(
-        self,
-        said: Sequence[Word],
-        parsed: Sequence[Clause],
-        unclear: Reference,
-        expressions: tuple[ReferringExpression, ...],
-    ) -> Extraction:
-        """A question which of several symbols is meant, with a reading for each."""
-        candidates = (unclear.symbol, *unclear.rivals)[:MOST_ALTERNATIVES]
-        readings = []
-        pattern = over_placeholders = ""
-        for symbol in candidates:
-            reading, pattern, over_placeholders, _ = self._reading(parsed, {unclear.symbol: symbol})
-            if reading is not None:
-                readings.append(reading)
-        text = self._text(said, unclear.first, unclear.last)
-        named = [self._vocabulary.landmarks[symbol].description for symbol in candidates]
-        question = (
-            f'What do you mean by "{text}": {_listed(named, "or")}?'
-            if len(named) > 1
-            else f'By "{text}", do you mean "{named[0]}"?'
-        )
-        return Extraction(
-            self._utterance,
-            Status.CLARIFY,
-            readings[0],
-            pattern,
-            over_placeholders,
-            expressions,
-            tuple(readings),
-            question=question,
-        )
-
-    def _contradiction(
-        self,
-        parsed: Sequence[Clause],
-        reading: Reading,
-        expressions: tuple[ReferringExpression, ...],
-    ) -> Extraction:
-        """A rejection that names two parts that cannot both be, where there are such."""
-        landmarks = self._vocabulary.landmarks
-        parts = reading.formula.operands if hasattr(reading.formula, "operands") else ()
-        clash = next(
-            (
-                (one, other)
-                for i, one in enumerate(parts)
-                for other in parts[i + 1 :]
-                if not satisfiable(conjunction(one, other))
-            ),
-            None,
-        )
-        if clash is None:
-            reason = f'This cannot be met, whatever happens: "{reading.english}"'
-        else:
-            one, other = (say(part, landmarks) for part in clash)
-            reason = f'These two cannot both be: "{one}" and "{other}"'
-        return self._rejected(reason, expressions)
+def _extraction(utterance: str, vocabulary: Vocabulary) -> Extraction:
+    reason = unspeakable(utterance)
+    if reason is not None:
+        return Extraction(utterance, Status.REJECT, reason=reason)
+    sentence = Sentence.of(utterance, vocabulary)
+    reason = not_understood(sentence)
+    if reason is not None:
+        return _rejected(sentence, reason)
+    sentence = sentence.parsed()
+    meaning = sentence.meaning()
+    # A remark is no mission even where the rest is one: it may have been meant as a condition.
+    reason = idle(meaning, utterance) or unfinished(sentence.clauses)
+    if reason is not None:
+        return _rejected(sentence, reason)
+    try:
+        return _translated(sentence, meaning)
+    except FormulaTooLargeError:
+        return _rejected(sentence, "That is too much at once. Say it in shorter pieces.")
 
 
-def _is_open(clause: Clause, near: Sequence[Clause]) -> bool:
-    """Whether a clause begins something and names nothing: "before leaving", "but never both"."""
-    if clause.operands:
-        return False
-    if clause.connector is not None:
-        return True
-    attached = any(each.connector is not None and each.operands for each in near)
-    return clause.act is Act.AVOID and not clause.flags and not attached
+def _rejected(sentence: Sentence, reason: str) -> Extraction:
+    return Extraction(
+        sentence.utterance,
+        Status.REJECT,
+        reason=reason,
+        referring_expressions=sentence.expressions,
+    )
 
 
-def _placeholder(number: int) -> str:
-    return chr(ord("a") + number) if number < 26 else f"p{number}"
+def _translated(sentence: Sentence, meaning: Meaning) -> Extraction:
+    unsure = next((each for each in sentence.references if each.rivals), None) or next(
+        (each for each in sentence.references if each.score < LEAST_SURE), None
+    )
+    if unsure is not None:
+        return _which_symbol(sentence, meaning, unsure)
+    reading = reading_of(meaning.patterns, sentence.vocabulary, meaning.score)
+    reason = contradiction(sentence, meaning)
+    if reason is not None:
+        return _rejected(sentence, reason)
+    doubt = ambiguity(sentence, meaning)
+    if doubt is not None:
+        return _which_structure(sentence, meaning, doubt)
+    sure = confidence(features(sentence, meaning, reading))
+    if sure < LEAST_CONFIDENT or is_doubtful(sentence, meaning):
+        return _is_it_this(sentence, meaning, reading, sure)
+    return replace(_understood(sentence, meaning, Status.OK, reading), confidence=sure)
 
 
-def _note(formula: Formula) -> str | None:
-    """Said of a formula that the shortest trace without any symbol true already satisfies."""
-    if holds(formula, (frozenset(),)):
-        return "Doing nothing at all already satisfies this."
+def _is_it_this(sentence: Sentence, meaning: Meaning, reading: Reading, sure: float) -> Extraction:
+    """A question whether a reading that is not sure enough is the one that is meant."""
+    asked = _understood(sentence, meaning, Status.CLARIFY, reading)
+    return replace(
+        asked,
+        alternatives=(replace(reading, answer="yes"),),
+        question=f'Do you mean: "{reading.english}"?',
+        confidence=sure,
+    )
+
+
+def _understood(
+    sentence: Sentence, meaning: Meaning, status: Status, reading: Reading
+) -> Extraction:
+    return Extraction(
+        sentence.utterance,
+        status,
+        reading,
+        names_of(meaning.patterns),
+        unparse(literal_of(meaning.lifted)),
+        sentence.expressions,
+        note=_note(sentence, reading) if status is Status.OK else None,
+    )
+
+
+def _otherwise_said(found: Extraction, vocabulary: Vocabulary) -> Extraction | None:
+    """A question whether something was heard wrong, or is called otherwise in the domain."""
+    if unspeakable(found.utterance) is not None:
+        return None
+    sentence = Sentence.of(found.utterance, vocabulary)
+    unknown = unknown_spans(sentence)
+    heard = slips(sentence.words, unknown, vocabulary)
+    asked = _asked_whether(found, heard, vocabulary) if heard else None
+    if asked is not None or not unknown:
+        return asked
+    for meant in paraphrases(sentence.words, unknown, vocabulary, thesaurus()):
+        asked = _asked_whether(found, meant, vocabulary)
+        if asked is not None:
+            return replace(asked, question=asked_whether(found.utterance, meant))
     return None
 
 
-def _listed(texts: Sequence[str], conjunction: str) -> str:
-    if len(texts) == 1:
-        return texts[0]
-    return f"{', '.join(texts[:-1])} {conjunction} {texts[-1]}"
+def _asked_whether(
+    found: Extraction, likely: Sequence[Slip], vocabulary: Vocabulary
+) -> Extraction | None:
+    """The question whether other words were meant, where those make sense."""
+    utterance = found.utterance
+    instead = _extraction(mended(utterance, likely), vocabulary)
+    if instead.status is not Status.OK or instead.reading is None:
+        return None
+    readings = (replace(instead.reading, answer="yes"),)
+    return replace(
+        instead,
+        utterance=utterance,
+        status=Status.CLARIFY,
+        referring_expressions=found.referring_expressions,
+        alternatives=readings,
+        question=asked_about(utterance, likely, instead.referring_expressions, vocabulary),
+        note=None,
+    )
+
+
+def _note(sentence: Sentence, reading: Reading) -> str | None:
+    notes = (idleness(reading.formula), in_two_places(reading, sentence.vocabulary.landmarks))
+    return " ".join(filter(None, notes)) or None
+
+
+def _which_structure(sentence: Sentence, meaning: Meaning, doubt: Ambiguity) -> Extraction:
+    """A question about the structure of a sentence, with a reading for each answer."""
+    readings = tuple(
+        reading_of(each.patterns, sentence.vocabulary, meaning.score, each.answer, each.english)
+        for each in doubt.options
+    )
+    asked = _understood(sentence, meaning, Status.CLARIFY, readings[0])
+    return replace(asked, alternatives=readings, question=doubt.question)
+
+
+def _which_symbol(sentence: Sentence, meaning: Meaning, unclear: Reference) -> Extraction:
+    """A question which of several symbols is meant, with a reading for each."""
+    vocabulary = sentence.vocabulary
+    candidates = (unclear.symbol, *unclear.rivals)[:MOST_ALTERNATIVES]
+    named = [vocabulary.landmarks[symbol].description for symbol in candidates]
+    readings = tuple(
+        reading_of(
+            sentence.meaning(chosen=_alike(sentence, unclear, place)).patterns,
+            vocabulary,
+            meaning.score,
+            name if len(candidates) > 1 else "yes",
+        )
+        for place, name in enumerate(named)
+    )
+    text = sentence.text(unclear.first, unclear.last)
+    question = (
+        f'What do you mean by "{text}": {listed(named, "or")}?'
+        if len(named) > 1
+        else f'By "{text}", do you mean "{named[0]}"?'
+    )
+    asked = _understood(sentence, meaning, Status.CLARIFY, readings[0])
+    return replace(asked, alternatives=readings, question=question)
+
+
+def _alike(sentence: Sentence, unclear: Reference, place: int) -> dict[SymbolId, SymbolId]:
+    """The same choice for all that is unclear alike: one robot's places, not one of each."""
+    return {
+        each.symbol: (each.symbol, *each.rivals)[place]
+        for each in sentence.references
+        if len(each.rivals) == len(unclear.rivals)
+    }

@@ -175,6 +175,9 @@ def _objects(landmarks: Landmarks) -> Iterator[Thing]:
         if landmark.type is LandmarkType.ACTION:
             for phrase in landmark.phrases:
                 texts = [word.number for word in words(phrase) if not word.is_mark]
+                for noun, number in pairwise(texts):
+                    if number.isdigit() and noun.isalpha() and noun not in _SMALL:
+                        yield noun, number
                 if "the" in texts[:-1] and texts[0] != "the":
                     rest = texts[texts.index("the") + 1 :]
                     ends = (i for i, text in enumerate(rest) if text in _SMALL | _PARTICLES)
@@ -212,7 +215,11 @@ def _movers(
             for cut, text in enumerate(texts[:-1]):
                 if not cut or text not in _WHERE:
                     continue
-                place = tuple(each for each in texts[cut + 1 :] if each not in ARTICLES)
+                if any(text in _COPULAS for text in texts[:cut]) and texts[cut - 1] not in _COPULAS:
+                    continue  # "the jar is broken at the gate" tells of the jar, not who moves
+                behind = texts[cut + 1 :]
+                # The last may be a name that looks like an article: "site a".
+                place = (*(each for each in behind[:-1] if each not in ARTICLES), *behind[-1:])
                 subject = tuple(
                     each for each in texts[:cut] if each not in ARTICLES and each not in _COPULAS
                 )

@@ -6,15 +6,17 @@ act ("use" + "a tool"). Beside each state stands its antonym, which says that it
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
 from enum import StrEnum, auto
 from functools import cached_property
 from itertools import pairwise
 
-from plainspoken.language.frame import ARTICLES, Frames, aliased
-from plainspoken.language.kinship import alike, nouns, opposites
+from plainspoken.language.frame import ARTICLES, Frames, Thing, aliased
+from plainspoken.language.handling import Handling
+from plainspoken.language.kinship import alike, nouns, opposites, verbs_of
 from plainspoken.language.word import Word, stems, words
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
 from plainspoken.world.symbol import SymbolId
@@ -29,6 +31,12 @@ _PREPOSITION_WORDS = """
     in into inside on onto at to from of off by for with near up down over out under
 """
 PREPOSITIONS = frozenset(_PREPOSITION_WORDS.split())
+
+_HOLDING = frozenset(("hold", "carry", "grip", "grasp", "transport", "wear"))
+_SOUNDING = frozenset(("ring", "sound", "beep", "blare", "wail", "buzz", "flash"))
+_LIGHT = frozenset(("make", "take", "give", "do", "have"))
+_DUMMIES = frozenset(("it", "there"))
+"""Subjects that stand for nothing: "it is dark", "there are people"."""
 
 
 class Shape(StrEnum):
@@ -50,6 +58,11 @@ class Part:
     @property
     def is_number(self) -> bool:
         return any(stem.isdigit() for stem in self.stems)
+
+    @property
+    def words(self) -> frozenset[str]:
+        """All that it may be said by."""
+        return self.stems | self.alike | self.nouns
 
     def quality(self, found: frozenset[str]) -> float:
         """How well a word's stems fit: 1 the word itself, less its noun or a synonym."""
@@ -108,10 +121,12 @@ class Vocabulary:
         """The vocabulary of a landmarks file, or of landmarks derived from a problem."""
         known = aliased(landmarks)
         cases = _instances(landmarks)
+        frames = Frames.of(known)
+        agents = frozenset((*frames.things, *frames.movers))
         found = [
             replace(each, instance=True) if each.symbol in cases else each
             for landmark in known.values()
-            for each in _expressions(landmark)
+            for each in _expressions(landmark, agents)
         ]
         found = _with_heads(found)
         plain = {(each.shape, _stems(each.parts)) for each in found if not each.negated}
@@ -122,7 +137,7 @@ class Vocabulary:
                 for each in found
                 if not each.negated or (each.shape, _stems(each.parts)) not in plain
             ),
-            Frames.of(known),
+            frames,
         )
 
     @cached_property
@@ -136,6 +151,45 @@ class Vocabulary:
         return {stem: tuple(each) for stem, each in found.items()}
 
     @cached_property
+    def _by_rarest(self) -> Mapping[str, tuple[Expression, ...]]:
+        """The expressions by the words for the part of each that the fewest others have."""
+        found: dict[str, dict[Expression, None]] = {}
+        for expression in self.expressions:
+            rarest = min(
+                expression.parts,
+                key=lambda part: sum(len(self.by_stem[word]) for word in part.words),
+            )
+            for word in rarest.words:
+                found.setdefault(word, {})[expression] = None
+        return {word: tuple(each) for word, each in found.items()}
+
+    def within(self, present: AbstractSet[str]) -> Mapping[str, tuple[Expression, ...]]:
+        """The same as `by_stem`, of the expressions that are there whole: all others are not.
+
+        present: the stems of all words of an utterance
+        """
+        found: dict[str, dict[Expression, None]] = {}
+        for word in sorted(present):
+            for expression in self._by_rarest.get(word, ()):
+                if all(part.words & present for part in expression.parts):
+                    for part in expression.parts:
+                        for each in part.words & present:
+                            found.setdefault(each, {})[expression] = None
+        return {word: tuple(each) for word, each in found.items()}
+
+    @cached_property
+    def handling(self) -> Handling:
+        """The symbols by the part that they have in an errand."""
+        return Handling.of(self.landmarks, frozenset(self.frames.movers))
+
+    @cached_property
+    def places(self) -> Vocabulary:
+        """The same with nothing but the names of places."""
+        named = (each for each in self.expressions if each.shape is Shape.PLACE)
+        kept = tuple(each for each in named if each.symbol not in self.handling.roles)
+        return replace(self, expressions=kept)
+
+    @cached_property
     def general(self) -> Mapping[SymbolId, frozenset[str]]:
         """The acts that are done to any one of a kind, with the kind: "to prune a plant"."""
         found: dict[SymbolId, frozenset[str]] = {}
@@ -146,6 +200,32 @@ class Vocabulary:
                         if word.text in ("a", "an"):
                             kinds = found.get(landmark.id, frozenset())
                             found[landmark.id] = kinds | {noun.text}
+        return found
+
+    @cached_property
+    def doers(self) -> Mapping[SymbolId, Thing]:
+        """Who does what a symbol says that somebody does: "the crane lifts"."""
+        found: dict[SymbolId, Thing] = {}
+        for told in self.expressions:
+            if told.shape is Shape.STATE and told.subject and not self.persists(told.symbol):
+                who = _stems(told.parts[: told.subject])
+                for thing in self.frames.movers:
+                    if who == tuple(map(stems, thing)):
+                        found.setdefault(told.symbol, thing)
+        return found
+
+    @cached_property
+    def deeds(self) -> Mapping[tuple[Thing, SymbolId], SymbolId]:
+        """For somebody and an act, the symbol that says that they do it: "the crane lifts"."""
+        acts = [each for each in self.expressions if each.shape is Shape.ACT]
+        found: dict[tuple[Thing, SymbolId], SymbolId] = {}
+        for told in self.expressions:
+            thing = self.doers.get(told.symbol)
+            for act in acts if thing is not None and told.subject else ():
+                if thing is not None and _agree(
+                    _stems(told.parts[told.subject :]), _stems(act.parts)
+                ):
+                    found[thing, act.symbol] = told.symbol
         return found
 
     def members(self, noun: Word) -> tuple[tuple[str, ...], ...]:
@@ -177,17 +257,31 @@ class Vocabulary:
         """The landmarks whose words are most like a text."""
         wanted = text.lower()
         own = frozenset(stem for word in words(wanted) for stem in word.stems)
+        ratio = SequenceMatcher(None, "", wanted, autojunk=False)
 
         def likeness(landmark: Landmark) -> float:
             best = 0.0
-            for phrase in landmark.phrases:
-                shared = sum(1 for word in words(phrase) if word.stems & own)
-                ratio = SequenceMatcher(None, wanted, phrase.lower(), autojunk=False).ratio()
-                best = max(best, ratio + 0.5 * shared)
+            for phrase, found in self._phrases[landmark.id]:
+                shared = sum(1 for stems in found if stems & own)
+                ratio.set_seq1(phrase)
+                # The cheaper bounds first: most landmarks are nothing like the text.
+                if ratio.real_quick_ratio() + 0.5 * shared > best:
+                    best = max(best, ratio.ratio() + 0.5 * shared)
             return best
 
         ranked = sorted(self.landmarks.values(), key=lambda each: (-likeness(each), each.id))
         return tuple(ranked[:most])
+
+    @cached_property
+    def _phrases(self) -> Mapping[SymbolId, tuple[tuple[str, tuple[frozenset[str], ...]], ...]]:
+        """What each landmark is called, with the stems of each word."""
+        return {
+            landmark.id: tuple(
+                (phrase.lower(), tuple(word.stems for word in words(phrase)))
+                for phrase in landmark.phrases
+            )
+            for landmark in self.landmarks.values()
+        }
 
 
 def _with_heads(found: Iterable[Expression]) -> list[Expression]:
@@ -224,6 +318,10 @@ def _stems(parts: Iterable[Part]) -> tuple[frozenset[str], ...]:
     return tuple(part.stems for part in parts)
 
 
+def _agree(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> bool:
+    return len(one) == len(other) and all(a & b for a, b in zip(one, other, strict=True))
+
+
 def _part(word: Word) -> Part:
     own = word.stems
     return Part(own, alike(own), nouns(own))
@@ -243,20 +341,32 @@ def _content(found: Iterable[Word], dropped: frozenset[str]) -> tuple[Word, ...]
     return kept or everything
 
 
-def _expressions(landmark: Landmark) -> Iterator[Expression]:
+def _expressions(landmark: Landmark, agents: AbstractSet[Thing]) -> Iterator[Expression]:
     for phrase in dict.fromkeys(landmark.phrases):
         said = words(phrase)
         if not said or not any(not word.is_mark for word in said):
             continue
         match landmark.type:
-            case LandmarkType.LOCATION if any(word.text in COPULAS for word in said):
+            case LandmarkType.LOCATION if _tells_who(phrase, said, landmark):
                 continue  # "the crane is at the gate" tells who moves: see agency
             case LandmarkType.LOCATION:
                 yield from _place(landmark.id, said)
+            case LandmarkType.ACTION if _names_agent(said, agents) or _is_their_own(
+                landmark.id, said
+            ):
+                yield from _doing(landmark.id, said)
             case LandmarkType.ACTION:
                 yield from _act(landmark.id, said)
             case LandmarkType.CONDITION:
                 yield from _state(landmark.id, said)
+
+
+def _tells_who(phrase: str, said: Iterable[Word], landmark: Landmark) -> bool:
+    """Whether a place is told by who is there, and not by a name of its own."""
+    full = phrase.replace(" at ", " is at ", 1)
+    return any(word.text in COPULAS for word in said) or (
+        full != phrase and full in landmark.phrases
+    )
 
 
 def _place(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
@@ -268,13 +378,31 @@ def _place(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
 def _act(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
     if said[0].text == "to":
         said = said[1:]
-    if said[0].text in ARTICLES:
-        yield from _doing(symbol, said)
-        return
     verb, *rest = _verbal(said)
     # A verb is no comparative: "lower" is not "low".
     own = verb.stems - {verb.text[:-2], verb.text[:-1]} if verb.text.endswith("er") else verb.stems
     yield Expression(symbol, Shape.ACT, (Part(own, alike(own), nouns(own)), *map(_part, rest)))
+    if own & _LIGHT and len(rest) == 1 and len(said) == 3 and said[1].text in ("a", "an"):
+        # "no announcements": the noun says what the verb only says to be done
+        noun = rest[0].stems
+        verbs = frozenset(verb for stem in noun for verb in verbs_of(stem))
+        yield Expression(symbol, Shape.ACT, (Part(noun, verbs),), weight=0.9)
+
+
+def _names_agent(said: Sequence[Word], agents: AbstractSet[Thing]) -> bool:
+    """Whether an act is told of somebody: "Mary waters the plants", "the crane lifts"."""
+    texts = tuple(word.text for word in said)
+    return texts[0] in ARTICLES or any(
+        texts[: len(each)] == each and texts[len(each)].endswith("s")
+        for each in agents
+        if len(each) < len(texts)
+    )
+
+
+def _is_their_own(symbol: SymbolId, said: Sequence[Word]) -> bool:
+    """Whether an act belongs to somebody by its symbol: "bob_executes_lift", "Bob lifts"."""
+    actor, executes, _ = symbol.partition("_executes_")
+    return bool(executes) and said[0].text == actor and len(said) > 1
 
 
 def _doing(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
@@ -295,10 +423,23 @@ def _verbal(said: tuple[Word, ...]) -> tuple[Word, ...]:
     return (*before, said[place], *(_content(rest, ARTICLES | PREPOSITIONS) if rest else ()))
 
 
+def _impersonal(symbol: SymbolId, said: Sequence[Word], *, negated: bool) -> Iterator[Expression]:
+    """Read "it is raining" and "there are people in the yard" without their empty subject."""
+    dropped = ARTICLES | PREPOSITIONS | {"not"}
+    cut = next((i for i, word in enumerate(said) if i and word.text in PREPOSITIONS), None)
+    subject = _content(said[:cut], dropped) if cut else ()
+    predicate = _content(said[cut:], dropped) if cut else _content(said, dropped)
+    parts = tuple(map(_part, (*subject, *predicate)))
+    yield Expression(symbol, Shape.STATE, parts, len(subject), negated=negated)
+
+
 def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
     dropped = ARTICLES | COPULAS | PREPOSITIONS | {"not"}
     negated = any(word.text == "not" for word in said)
     cut = next((i for i, word in enumerate(said) if word.text in COPULAS and i), None)
+    if cut and said[:cut][-1].text in _DUMMIES and len(said) > cut + 1:
+        yield from _impersonal(symbol, said[cut + 1 :], negated=negated)
+        return
     if cut is None:
         parts = tuple(map(_part, _content(said, ARTICLES)))
         yield Expression(symbol, Shape.STATE, parts, negated=negated)
@@ -307,7 +448,12 @@ def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
     predicate = _content(said[cut + 1 :] or said[cut:], dropped)
     parts = tuple(map(_part, predicate))
     yield Expression(symbol, Shape.STATE, (*subject, *parts), len(subject), negated=negated)
-    if said[:cut][-1].text == "robot" and len(subject) == 1 and len(parts) > 1:
+    if len(predicate) == 1 and predicate[0].stems & _SOUNDING:
+        # An alarm that goes off sounds, though one that is off does not.
+        off = (Part(frozenset(("go",))), Part(frozenset(("off",))))
+        yield Expression(symbol, Shape.STATE, (*subject, *off), len(subject))
+    held = bool(predicate[0].stems & _HOLDING) and predicate[0].text.endswith("ing")
+    if (held or said[:cut][-1].text == "robot") and len(subject) == 1 and len(parts) > 1:
         # The robot that is spoken to needs no name: "hold the jar".
         yield Expression(symbol, Shape.STATE, parts, 0, 0.95, negated=negated)
     if len(predicate) == 1:

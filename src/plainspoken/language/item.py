@@ -2,69 +2,15 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from plainspoken.language.counting import Count, count_at, limit_at, nth_at, tells_of_limit
 from plainspoken.language.grounding import Shape
 from plainspoken.language.lexicon import MARKS, PHRASES, Kind
 from plainspoken.language.reference import Form, Reference
-from plainspoken.language.word import ORDINALS, Word
-
-_TIMES = {"once": 1, "twice": 2, "thrice": 3}
-_LIMITS = {"minimum": ">=", "least": ">=", "maximum": "<=", "most": "<=", "limit": "<="}
-_COUNTED = frozenset(("trip", "trips", "entry", "entries")) | frozenset(
-    ["time", "times", "occasion", "occasions", "visit", "visits", "instance", "instances"]
-)
-_SEPARATE_WORDS = """
-    separate different distinct individual single on at in of and total for
-"""
-_SEPARATE = frozenset(_SEPARATE_WORDS.split())
-BOUNDS = {
-    ">=": """at least; no fewer than; no less than; not fewer than; not less than; a minimum of;
-        minimum; equal or more than; equal to or more than""",
-    "<=": """must not exceed; may not exceed; should not exceed; cannot exceed; not exceed; is
-        limited to; are limited to; limited to; is capped at; at most; no more than;
-        not more than; up to; a maximum of; maximum; not exceeding; not over; equal or
-        less than; equal or fewer than; a total of at most""",
-    "=": """exactly; only; just; precisely; a total of; strictly; no more and no less than;
-        no fewer or greater than; no fewer or more than; no more or less than;
-        no more or fewer than; no less or more than; no more nor less than""",
-    ">": "more than; over; any more than; greater than; in excess of; any greater than",
-    "<": "fewer than; less than; any fewer than; any less than; under",
-    "!=": """any greater or fewer than; more or less than; more or fewer than;
-        fewer or more than; any more or any fewer than; any more or fewer than;
-        any more or less than; less or more than""",
-}
-"""What is said before a number, by what it means."""
-_AFTERWARDS = {
-    ">=": """or more than one times; or more; at least; or more often; at the least;
-        at the very least; if not more; minimum; or more separate""",
-    "<=": """or fewer; or less; at most; or less often; at the most; at the very most; maximum;
-        tops; if at all; at the outside""",
-    "=": """only; and only once; and once only; and one time only; and only one time; no more;
-        and no more; and no more than that; no more and no less; no more and no fewer;
-        no more no less; neither more nor less; neither more nor fewer; not twice; not two;
-        and not twice; just the one; exactly; precisely; no less; and that is it;
-        and only that once""",
-}
-
-
-def _phrases(table: Mapping[str, str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    return tuple(
-        (sign, tuple(phrase.split())) for sign, text in table.items() for phrase in text.split(";")
-    )
-
-
-_BEFORE_A_NUMBER = _phrases(BOUNDS)
-_BEHIND_A_NUMBER = tuple(sorted(_phrases(_AFTERWARDS), key=lambda entry: -len(entry[1])))
-
-
-@dataclass(frozen=True, slots=True)
-class Count:
-    """How often. bound: ">=", "<=", "=", ">", "<", "!=", or "" where only a number is said."""
-
-    bound: str
-    times: int
+from plainspoken.language.word import Word
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,12 +36,16 @@ class Item:
 def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
     """Cut an utterance into items; words that neither table nor domain knows are UNKNOWN."""
     starts = {each.first: each for each in found}
+    ahead = deque((*sorted(starts), len(said)))
     made: list[Item] = []
     index = 0
     while index < len(said):
+        while ahead[0] <= index:
+            ahead.popleft()
         if index in starts:
             reference = starts[index]
             text = " ".join(word.text for word in said[index : reference.last])
+            made += _within(said, reference)
             made.append(
                 Item(
                     Kind.REFERENCE,
@@ -110,14 +60,28 @@ def items(said: Sequence[Word], found: Sequence[Reference]) -> tuple[Item, ...]:
             )
             index = reference.last
             continue
-        end = min((first for first in starts if first > index), default=len(said))
-        item = _between(said, index, starts, made) or _next(said, index, end)
+        item = _between(said, index, starts, made) or _next(said, index, ahead[0])
         if item is not None and item.kind is Kind.UNKNOWN:
             item = _limited(said, index) or item
         if item is not None:
             made.append(item)
         index = item.last if item is not None else index + 1
     return tuple(_without_idioms(made))
+
+
+_INSIDE = {
+    "only": Kind.ONLY,
+    "immediately": Kind.NEXT,
+    "promptly": Kind.NEXT,
+}
+
+
+def _within(said: Sequence[Word], reference: Reference) -> Iterator[Item]:
+    """What is said within a reference of when and how: "the nurse must immediately be called"."""
+    for index in range(reference.first + 1, reference.last - 1):
+        kind = _INSIDE.get(said[index].text)
+        if kind is not None:
+            yield Item(kind, index, index + 1, said[index].text)
 
 
 def _without_idioms(made: Sequence[Item]) -> Iterator[Item]:
@@ -163,6 +127,10 @@ def _between(
     causes = said[index].text in ("get", "bring", "put", "have")
     if causes and following is not None and following.shape is Shape.STATE:
         return Item(Kind.ENSURE, index, index + 1, said[index].text)
+    if said[index].text == "for" and following is not None and _waits(made) and (
+        following.shape is Shape.STATE
+    ):  # fmt: skip
+        return Item(Kind.UNTIL, index, index + 1, "for")
     if said[index].text == "with" and following is not None:
         if following.shape is Shape.STATE:
             return Item(Kind.WHILE, index, index + 1, "with")
@@ -171,8 +139,21 @@ def _between(
     return None
 
 
+def _waits(made: Sequence[Item]) -> bool:
+    """Whether the clause that is being read is "wait there", with a place."""
+    for each in reversed(made):
+        if each.text.split()[0] in ("wait", "waiting", "stay", "remain", "hang", "stand"):
+            return any(item.form is Form.NOUN for item in made)
+        if each.kind in (Kind.STOP, Kind.COMMA, Kind.AND, Kind.THEN, Kind.BUT):
+            return False
+    return False
+
+
 def _told_of(said: Sequence[Word], index: int) -> bool:
-    """Whether a participle follows: "with site 2 avoided"."""
+    """Whether a participle follows: "with site 2 avoided", "with site 2 off limits"."""
+    barred = ("strictly", "forbidden", "off", "out", "barred", "closed", "prohibited", "only")
+    if index < len(said) and said[index].text in barred:
+        return True
     return index < len(said) and said[index].text.endswith("ed") and len(said[index].stems) > 1
 
 
@@ -184,34 +165,41 @@ def _skips_articles(said: Sequence[Word], index: int) -> int:
 
 def _limited(said: Sequence[Word], index: int) -> Item | None:
     """Read the number of "the minimum number of visits is three" as "at least three"."""
-    if index and said[index].text in ("number", "allowable", "allowed", *_SEPARATE):
+    if tells_of_limit(said, index):
         return Item(Kind.FILLER, index, index + 1, said[index].text)
-    if said[index].text in _LIMITS:
-        return Item(Kind.FILLER, index, index + 1, said[index].text)
-    bound = _limit(said, index)
-    if bound is None or not said[index].number.isdigit():
-        return None
-    count = Count(bound, int(said[index].number))
-    return Item(Kind.COUNT, index, index + 1, said[index].text, count=count)
+    count = limit_at(said, index)
+    return Item(Kind.COUNT, index, index + 1, said[index].text, count=count) if count else None
 
 
 def _next(said: Sequence[Word], index: int, end: int) -> Item | None:
     word = said[index]
+    if word.text == "." and index + 1 < len(said) and said[index + 1].text in ",;:":
+        return None  # of an abbreviation
     if word.is_mark:
         kind = MARKS.get(word.text) or (Kind.AND if word.text in "&/+" else None)
         return Item(kind, index, index + 1, word.text) if kind else None
     following = said[index + 1].text if index + 1 < len(said) else "."
     if word.text == "otherwise" and following in ".;!":
         return Item(Kind.NO_OTHER, index, index + 1, word.text)  # "b is never done otherwise"
-    count = _nth(said, index, end) or _count(said, index, end)
+    found = nth_at(said, index, end) or count_at(said, index, end)
+    count = None
+    if found is not None:
+        text = " ".join(each.text for each in said[index : found[1]])
+        count = Item(Kind.COUNT, index, found[1], text, count=found[0])
     phrase = _pointing(_phrase(said, index, end), said)
     if count and (phrase is None or count.last >= phrase.last):
         return count
     return phrase or Item(Kind.UNKNOWN, index, index + 1, word.text)
 
 
+_ONLY_THEN = frozenset(("after", "once", "until", "when", "if"))
+_STOPS = frozenset(("one", "place", "stop", "visit", "is", "comes", "station", "should", "must"))
+_SINCE = frozenset(("since", "ever since"))
 _ENDING = {Kind.WHENEVER: Kind.ALWAYS, Kind.WHILE: Kind.ALWAYS}
 """What a phrase does with nothing behind it: "... every time.", "... the whole time"."""
+_ANY_PLACE = frozenset(
+    ("previous", "earlier", "any", "visited", "location", "locations", "place", "places", "one")
+)
 _POINTING = {
     Kind.PROMPTLY: Kind.RIGHT_AFTER_THAT,
     Kind.RIGHT_BEFORE: Kind.RIGHT_BEFORE_THAT,
@@ -225,18 +213,44 @@ def _pointing(phrase: Item | None, said: Sequence[Word]) -> Item | None:
     if phrase is None:
         return None
     following = said[phrase.last].text if phrase.last < len(said) else "."
+    if phrase.kind in (Kind.LATER, Kind.AFTER_THAT, Kind.LATER_ON) and (
+        phrase.text.endswith(" after") and following not in (*MARKS, "and", "or", "but", "then")
+    ):
+        return replace(phrase, kind=Kind.AFTER)  # "at least once after visiting a"
+    if phrase.kind is Kind.AFTER_THAT and phrase.text.endswith(("done", "finished")) and (
+        following.endswith("ing") or following in ("with", "at", "in")
+    ):  # fmt: skip
+        return replace(phrase, kind=Kind.AFTER)  # "when you are done visiting a"
+    asked = phrase.kind is Kind.FILLER and phrase.text in ("can you", "could you")
+    if asked and any(word.text in _ONLY_THEN for word in said[: phrase.first]):
+        return replace(phrase, kind=Kind.MAY)  # "only after a can you go to b"
+    if phrase.kind is Kind.PROMPTLY and phrase.text.startswith("the ") and following in _STOPS:
+        return replace(phrase, kind=Kind.NTH)  # "the second place is b"
+    if phrase.text == "without stopping" and following in ("at", "in", "by", "anywhere"):
+        return Item(Kind.WITHOUT, phrase.first, phrase.first + 1, "without")
+    if phrase.text in _SINCE and following in (*MARKS, "then"):
+        return Item(Kind.FILLER, phrase.first, phrase.last, phrase.text)  # "without b since"
     if following in MARKS and phrase.kind in _ENDING:
         return replace(phrase, kind=_ENDING[phrase.kind])
     if following in MARKS and phrase.kind is Kind.ONLY_AFTER and phrase.text.endswith("before"):
         return replace(phrase, kind=Kind.IN_ORDER)  # "b after a, never before"
     if following in ".;!" and phrase.kind is Kind.ONLY_THEN:
         return replace(phrase, kind=Kind.NO_OTHER)  # "b when a, and only then"
-    if following == "to" and phrase.kind is Kind.NO_RETURN and phrase.text == "no returning":
-        return Item(Kind.NOT, phrase.first, phrase.first + 1, "no")  # "no returning to a until b"
+    if following == "to" and phrase.kind is Kind.NO_RETURN and _ANY_PLACE.isdisjoint(
+        word.text for word in said[phrase.last : phrase.last + 4]
+    ):  # fmt: skip
+        # "no returning to a until b", "never return to a once you have been to b"
+        first = phrase.text.split()[0]
+        if first in ("no", "never", "not"):
+            return Item(Kind.NOT, phrase.first, phrase.first + 1, first)
     if phrase.kind is Kind.NOT and phrase.text.endswith("forbidden to") and (
         following in ("the", "you", "it", "them", "us")
     ):  # fmt: skip
         return replace(phrase, kind=Kind.FORBIDDEN)
+    if phrase.kind is Kind.FORBIDDEN and following == "to" and phrase.text.split()[-1] in (
+        "allowed", "permitted", "forbidden", "prohibited"
+    ):  # fmt: skip
+        return replace(phrase, kind=Kind.NOT)  # "you are not allowed to do it"
     if phrase.kind not in _POINTING:
         return phrase
     if following in MARKS or following in ("and", "or", "but", "then"):
@@ -289,6 +303,8 @@ def _reach(
 _THAT = frozenset(
     (Kind.BEFORE_THAT, Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT, Kind.RIGHT_BEFORE_THAT)
 )
+_ARRIVING = frozenset(("arrive", "arriving", "go", "going", "get", "getting"))
+_TOWARDS = frozenset(("at", "to", "in", "into", "on", "onto", "back"))
 _AUXILIARIES = frozenset(("is", "has", "was", "does", "happens", "have", "are", "been"))
 
 
@@ -298,8 +314,16 @@ def _goes_on(kind: Kind, said: Sequence[Word], index: int, length: int) -> bool:
         return False
     following = said[index + length]
     if kind in _THAT:
-        return length > 1 and following.text in _AUXILIARIES
-    if kind is not Kind.IT_HAPPENS or said[index].text not in ("you", "they"):
+        head = said[index + length - 1].text
+        if head in ("it", "them") and not following.is_mark:
+            return following.text not in ("and", "or", "but", "then")
+        heads = head in _ARRIVING and following.text in _TOWARDS
+        return length > 1 and (following.text in _AUXILIARIES or heads)
+    if kind is not Kind.IT_HAPPENS:
+        return False
+    if said[index].text in ("it", "that", "this"):
+        return following.text in ("have", "need", "to", "been")  # "it does have to be visited"
+    if said[index].text not in ("you", "they"):
         return False
     return not following.is_mark and following.text not in ("and", "or", "but", "then")
 
@@ -315,109 +339,3 @@ def _form(said: Sequence[Word], index: int) -> Form:
     if word.text.endswith("ing") and len(word.stems) > 1:
         return Form.GERUND
     return Form.BASE if word.stems == {word.number} else Form.FINITE
-
-
-def _count(said: Sequence[Word], index: int, end: int) -> Item | None:
-    """Read "at least three separate times", "twice or more", "no more than once"."""
-    position, bound = index, ""
-    for sign, phrase in _BEFORE_A_NUMBER:
-        if index + len(phrase) > position and _says(said, index, end, phrase):
-            position, bound = index + len(phrase), sign
-    if not bound and _says(said, position + 1, end, ("or", "more", "than")):
-        position, bound = position + 4, ">="  # "four or more than four times"
-    times, after = _times(said, position, end)
-    if times is None:
-        return None
-    lone = said[position].text == "once" and (not bound or said[index].text == "only")
-    if bound in ("", "="):
-        for sign, phrase in _BEHIND_A_NUMBER:
-            tail = after + (after < end and said[after].text == "," and sign == "=")
-            if _says(said, tail, end, phrase):
-                after = tail + len(phrase)
-                bound, lone = sign, False
-                while after < end and said[after].text in (*_COUNTED, *_SEPARATE, "occasions"):
-                    after += 1
-                break
-    answers = index > 0 and said[index - 1].text in ("is", "are")
-    if lone and not answers and not _ends(said, after, end):
-        return None
-    text = " ".join(word.text for word in said[index:after])
-    return Item(
-        Kind.COUNT, index, after, text, count=Count(bound or _limit(said, index) or "", times)
-    )
-
-
-def _limit(said: Sequence[Word], index: int) -> str | None:
-    """The bound that a word like "minimum" before sets."""
-    return next((_LIMITS[word.text] for word in said[:index] if word.text in _LIMITS), None)
-
-
-def _times(said: Sequence[Word], position: int, end: int) -> tuple[int | None, int]:
-    if position >= end:
-        return None, position
-    word = said[position]
-    if word.text in _TIMES:
-        return _TIMES[word.text], position + 1
-    if word.text == "a" and _says(said, position, end, ("a", "couple", "of", "times")):
-        return 2, position + 4
-    if word.text == "a" and position + 1 < end and said[position + 1].text == "single":
-        after = position + 2
-        return 1, after + (after < end and said[after].text in _COUNTED)
-    if not word.number.isdigit() or len(word.number) > 2:
-        return None, position
-    after = position + 1
-    counted = False
-    if _limited_behind(said, after, end):
-        return int(word.number), after
-    while after < end and (
-        said[after].text in _COUNTED
-        or said[after].text in _SEPARATE
-        or _says(said, after, end, ("or", "more", "times"))
-        or _says(said, after, end, ("or", "fewer", "times"))
-    ):
-        if said[after].text in _COUNTED:
-            counted = True
-            after += 1
-            break
-        if said[after].text == "or":
-            return int(word.number), after
-        after += 1
-    return (int(word.number), after) if counted else (None, position)
-
-
-def _limited_behind(said: Sequence[Word], after: int, end: int) -> bool:
-    """Whether "or more separate visits" follows a number."""
-    if not (_says(said, after, end, ("or", "more")) or _says(said, after, end, ("or", "fewer"))):
-        return False
-    after += 2
-    while after < end and said[after].text in _SEPARATE:
-        after += 1
-    return after < end and said[after].text in _COUNTED
-
-
-def _nth(said: Sequence[Word], index: int, end: int) -> Item | None:
-    """Read "a third visit" as three or more, which is said to be forbidden."""
-    if said[index].text not in ("a", "any", "no") or index + 2 >= end:
-        return None
-    number, noun = ORDINALS.get(said[index + 1].text), said[index + 2].text
-    if number is None or number == "1" or noun not in _COUNTED or (number, noun) == ("2", "time"):
-        return None
-    text = " ".join(word.text for word in said[index : index + 3])
-    return Item(Kind.COUNT, index, index + 3, text, count=Count(">=", int(number)))
-
-
-def _says(said: Sequence[Word], index: int, end: int, phrase: Sequence[str]) -> bool:
-    return index + len(phrase) <= end and all(
-        said[index + i].text == each for i, each in enumerate(phrase)
-    )
-
-
-def _ends(said: Sequence[Word], after: int, end: int) -> bool:
-    """Whether "once" ends a clause and so counts; before a clause it means "after"."""
-    if after >= len(said):
-        return True
-    following = said[after].text
-    if after == end:
-        return False
-    return following in ("and", "but", "then", "more", "again", "or", "before", "while", "do",
-        "without", "never", "after") or following in MARKS  # fmt: skip

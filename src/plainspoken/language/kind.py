@@ -15,6 +15,8 @@ class Kind(StrEnum):
     PATROL = auto()  # come back again and again
     CEASE = auto()  # stop doing what follows
     LEADS = auto()  # what is before it calls for what follows: "means that", "is followed by"
+    BARS = auto()  # what is before it forbids what follows: "closes", "locks"
+    RELEASES = auto()  # what follows is to last until what is before it
     PRECEDED = auto()  # what is before it calls for what follows to come first
     OCCUR = auto()  # what follows a situation: "occurs", "is seen", "holds"
     BE = auto()
@@ -64,6 +66,7 @@ class Kind(StrEnum):
     NOW = auto()
     ALREADY = auto()  # of a situation: it may be over by now
     ALWAYS = auto()
+    OTHERWISE = auto()  # where the condition before is not so
     NO_OTHER = auto()  # "and at no other time"
     AGAIN_AND_AGAIN = auto()
     ALTERNATE = auto()  # by turns

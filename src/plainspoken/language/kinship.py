@@ -35,7 +35,8 @@ _ALIKE = """full fill; full filled; full topped; empty emptied; call summon; cal
     lift raise; lower bring; cut chop; stir mix; wipe clean; rinse wash; season salt; cook boil;
     hold grip; hold grasp; carried held; taste try; water irrigate; fold crease;
     sterile sterilized; sterilize disinfect; move drive; sick ill; unknown undetermined;
-    unknown unclear; doubtful uncertain; readable legible; unreadable illegible; present there"""
+    unknown unclear; doubtful uncertain; readable legible; unreadable illegible; present there;
+    here there; here arrived"""
 _ALIKE_IN_CLASSES = """check inspect examine verify test;
     pick gather; remove withdraw; dirty soiled filthy grubby; wet damp soaked slippery;
     broken faulty defective; busy engaged; finished done complete; ready prepared"""
@@ -87,3 +88,10 @@ def nouns_of(verb: str) -> frozenset[str]:
     if verb.endswith("ify"):
         made.add(verb[:-1] + "ication")
     return frozenset(noun for noun in made - {verb} if is_known(noun))
+
+
+def verbs_of(noun: str) -> frozenset[str]:
+    """The verbs that a noun is made from: "announcement" has "announce"."""
+    heads = {noun.removesuffix(ending) for ending in _NOUN_ENDINGS if noun.endswith(ending)}
+    verbs = {head + end for head in heads - {noun} for end in ("", "e", "y")}
+    return frozenset(verb for verb in verbs if noun in nouns_of(verb))

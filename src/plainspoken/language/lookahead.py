@@ -34,10 +34,11 @@ class Lookahead:
     """Items read so far as clauses, and questions about those that follow."""
 
     def __init__(self, found: Sequence[Item]) -> None:
-        # Fillers shape nothing, but for words that point back ("there").
+        # Fillers shape nothing, but for words that point back ("there"), and what these point at.
         self._items = [
             each for each in found
             if each.kind not in (Kind.FILLER, Kind.UNKNOWN, Kind.RELATIVE) or each.text in POINTERS
+            or each.reference is not None
         ]  # fmt: skip
         self._done: list[Clause] = []
         self._draft = Draft()
@@ -80,12 +81,14 @@ class Lookahead:
     def _is_passive(self, index: int) -> bool:
         """Whether what follows is "(not) be visited", said of the operands before."""
         for item in self._items[index + 1 :]:
-            if item.kind in (Kind.NOT, Kind.NEVER, Kind.BE, Kind.MUST, Kind.ENSURE) or (
-                item.kind in FLAGS
-            ):
+            if item.kind in FLAGS or item.kind in (
+                Kind.NOT, Kind.NEVER, Kind.BE, Kind.MUST, Kind.MAY, Kind.ENSURE,
+            ):  # fmt: skip
                 continue
+            if item.kind is Kind.THEN and item.text.startswith("followed"):
+                return True
             return item.kind is Kind.OCCUR or (
-                item.kind in VERBS and item.form is Form.FINITE
+                item.kind in VERBS and item.form is Form.FINITE and item.text != "visits"
             ) or item.kind in (Kind.COUNT, Kind.LEADS, Kind.PRECEDED)  # fmt: skip
         return False
 
@@ -141,9 +144,10 @@ class Lookahead:
 
     def _ends_list(self, index: int) -> bool:
         """Whether no "and" or "or" follows that would make this a list."""
-        return not any(
-            item.kind in (Kind.AND, Kind.OR) for item in self._items[index + 1 : index + 4]
-        )
+        for item in self._items[index + 1 : index + 4]:
+            if item.kind in (Kind.AND, Kind.OR, Kind.STOP):
+                return item.kind is Kind.STOP
+        return True
 
     def _is_setting(self, reference: Reference) -> bool:
         """Whether a place only says where the act before it is done."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from plainspoken.language.clause import Act, Clause, Operand, Statement
+from plainspoken.language.counting import Count
 from plainspoken.language.grounding import Shape
-from plainspoken.language.item import Count
 from plainspoken.language.itinerary import Chain, Itinerary, count_pattern
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form
@@ -37,6 +38,7 @@ from plainspoken.logic.pattern import (
     Wait,
     negated,
 )
+from plainspoken.world.symbol import SymbolId
 
 
 class MainClauses:
@@ -57,8 +59,25 @@ class MainClauses:
         self._remarks = 0
 
     def _one(self, operand: Operand) -> Formula:
-        atom = self._placeholder(operand)
-        return negated(atom) if operand.negated else atom
+        first, *later = self._stops(operand)
+        done = _followed(first, SequencedVisit(tuple(later)).literal) if later else first
+        return negated(done) if operand.negated else done
+
+    def _route_of(self, main: Clause, parts: list[Formula]) -> list[Formula]:
+        """The places that a clause leads to one after another."""
+        if len(main.operands) == 1 and main.operands[0].reference.errand is not None:
+            return self._stops(main.operands[0])
+        return parts
+
+    def _stops(self, operand: Operand) -> list[Formula]:
+        """What is done one after another, where an operand is an errand; else the operand."""
+        errand = operand.reference.errand
+        if errand is None:
+            return [self._placeholder(operand)]
+        return [
+            conjunction(*(self._placeholder(_of_symbol(operand, each)) for each in stop))
+            for stop in errand.stops
+        ]
 
     def _all(self, clause: Clause) -> list[Formula]:
         parts: list[Formula] = []
@@ -66,7 +85,7 @@ class MainClauses:
             formula = self._one(operand)
             if operand.link is Kind.NOW and parts:
                 parts[-1] = conjunction(parts[-1], formula)
-            elif formula not in parts:
+            elif formula not in parts or (operand.link is Kind.THEN and formula != parts[-1]):
                 parts.append(formula)
         return parts
 
@@ -83,7 +102,9 @@ class MainClauses:
 
     def _goes_on(self, main: Clause) -> bool:
         """Read "when a, b, then c" and "a until b, then c" as one: c comes after b."""
-        if main.link is not Kind.THEN or main.act is not Act.DO or main.counts:
+        waited = isinstance(self._route.last, Wait) and Kind.AFTER_THAT in main.flags
+        linked = main.link is Kind.THEN or waited
+        if not linked or main.act is not Act.DO or main.counts:
             return False
         sequel = SequencedVisit(tuple(self._all(main))).literal
         match self._route.last:
@@ -103,7 +124,7 @@ class MainClauses:
         flags = main.flags
         if Kind.NO_OTHER in flags and self._route.bind(parts):
             return
-        if self._points_back(main, parts):
+        if self._points_back(main, parts) or self._once_more(main, parts):
             return
         if Kind.ALTERNATE in flags:
             self._by_turns(parts)
@@ -127,7 +148,8 @@ class MainClauses:
         elif main.act is Act.PATROL:
             self._route.add(Patrolling(tuple(parts)))
         elif main.act is Act.STAY:
-            always = Kind.ALWAYS in flags and Kind.LATER not in flags
+            steady = flags & {Kind.ALWAYS, Kind.AGAIN_AND_AGAIN} and Kind.LATER not in flags
+            always = bool(steady) and main.link not in (Kind.THEN, Kind.ONLY_THEN)
             chain = self._route.chain
             always &= chain is None or parts != chain.places[-1:]  # "end there and stay for good"
             self._route.add((Maintenance if always else Remaining)(tuple(parts)))
@@ -136,6 +158,10 @@ class MainClauses:
             self._route.add(kept((self._situation(main),)))
         elif _is_remark(main):
             self._remarks += 1
+        elif self._route.chain is not None and Kind.NOW in flags and len(parts) > 1 and (
+            self._continues(main)
+        ):  # fmt: skip
+            self._route.chain.places.append(self._situation(main))
         elif Kind.NOW in flags and len(parts) > 1:
             self._route.add(Visit((self._situation(main),)))
         else:
@@ -192,6 +218,10 @@ class MainClauses:
             main.flags & {Kind.AFTER_THAT, Kind.LATER_ON, Kind.BEFORE_THAT}
         )
         last = self._route.last
+        either = any(operand.link is Kind.OR for operand in main.operands)
+        if len(parts) > 1 and not either and Visit((disjunction(*parts),)) in self._route.patterns:
+            self._route.add(Visit(tuple(parts)))  # "go to one of them, then to the other one"
+            return True
         match last:
             case DelayedReaction(a, b) if not self._recurrent and set(parts) & {a, b}:
                 # "once a, b; and do a": b after a, and a is to be
@@ -222,12 +252,17 @@ class MainClauses:
             Kind.AFTER_THAT in flags and bool(flags & {Kind.NEXT, Kind.NEXT_INSTANT})
         )
         trigger = self._situation(before)
-        if main.act is Act.AVOID and Kind.BEFORE_THAT in flags and self._spoken:
+        known = self._spoken or any(map(self._route.guards_against, parts))
+        if main.act is Act.AVOID and Kind.BEFORE_THAT in flags and known:
             chain = self._route.chain
             earlier = [each for each in self._spoken if each not in parts]
             for each in parts:
-                if chain is not None and each in chain.places[1:]:
+                if Kind.AGAIN in flags and earlier:
+                    self._route.enter_once(each, earlier[-1])
+                elif chain is not None and each in chain.places[1:]:
                     chain.ordered = True
+                elif self._route.guards_against(each):
+                    earlier = earlier or [each]
                 elif earlier:
                     self._route.add(PastAvoidance(each, earlier[-1], demanded=True))
             return chain is not None or bool(earlier)
@@ -264,6 +299,10 @@ class MainClauses:
         ):
             self._route.patterns[-1] = Exactly(last.place, last.times)
             return
+        for_good = {Kind.AGAIN, Kind.NO_RETURN} <= main.flags
+        if for_good and all(map(self._route.is_guard, parts)):
+            self._route.no_return = True  # "do not revisit a before the mission is over"
+            return
         on_the_way = chain is not None and all(part in chain.places for part in parts)
         if Kind.AGAIN in main.flags and not on_the_way:
             for part in parts:
@@ -272,11 +311,26 @@ class MainClauses:
         if chain is not None and on_the_way and Kind.AGAIN in main.flags:
             # "... and do not visit it again": said of a place already on the way.
             chain.strict = True
+        elif chain is not None and all(part in self._spoken for part in parts):
+            # "go to a, then to b, and never to a": no guard of what is still to come, a clash
+            self._route.add(GlobalAvoidance(tuple(parts)))
         elif chain is not None and main.link in (Kind.AND, Kind.BUT, Kind.COMMA, None):
             # "go to a but not to b, then to b": b is to wait, if it is on the way at all.
             self._route.guards += [(part, chain.places[-1]) for part in parts]
         else:
             self._route.add(GlobalAvoidance(tuple(parts)))
+
+    def _once_more(self, main: Clause, parts: list[Formula]) -> bool:
+        """Count visits on top of the one asked for: "go there, and then twice more"."""
+        chain = self._route.chain
+        again = Kind.AGAIN in main.flags or any(count.more for count in main.counts)
+        if chain is None or main.act is not Act.DO or not again or chain.places != parts:
+            return False
+        self._route.drop_chain()
+        for count in main.counts or (Count(">=", 1),):
+            more = replace(count, times=count.times + 1)
+            self._route.add(count_pattern(parts[0], more, forbidden=False))
+        return True
 
     def _counted(self, main: Clause, parts: list[Formula]) -> None:
         if self._route.chain is not None and self._continues(main) and is_once(main):
@@ -314,9 +368,13 @@ class MainClauses:
         linked = main.link in (Kind.THEN, Kind.ONLY_THEN) or bool(
             flags & {Kind.AFTER_THAT, Kind.RIGHT_AFTER_THAT, Kind.NTH, Kind.LATER_ON}
         )
-        if Kind.BEFORE_THAT in flags and self._route.chain is not None:
-            self._route.chain.places[-1:-1] = parts
-            self._route.chain.ordered = True
+        linked |= main.link is Kind.AND and drops(self._before) and is_place(main)
+        chain = self._route.chain
+        if Kind.BEFORE_THAT in flags and chain is not None:
+            that = next((p for p in reversed(self._spoken) if p not in parts), None)
+            place = chain.places.index(that) if that in chain.places else -1
+            chain.places[place:place] = parts
+            chain.ordered = True
             return
         last = self._route.patterns[-1] if self._route.patterns else None
         if linked and self._route.chain is None and isinstance(last, Visit):
@@ -327,8 +385,9 @@ class MainClauses:
             # "a twice, then b": the count, and b after a
             self._route.begin(Chain([last.place, *parts]))
             return
+        places = self._route_of(main, parts)
         if linked and self._route.chain is not None:
-            self._route.chain.places += parts
+            self._route.chain.places += places
             self._route.chain.ordered |= main.link is Kind.ONLY_THEN
             self._route.chain.strict |= Kind.NO_RETURN in flags
             return
@@ -338,13 +397,39 @@ class MainClauses:
             self._route.begin(Chain([last.trigger, last.response]))
             return
         if len(parts) == 1 or then or ordered or flags & {Kind.SEQUENCE, Kind.NO_RETURN}:
-            self._route.chain = Chain(parts, ordered, Kind.NO_RETURN in flags)
+            self._route.chain = Chain(places, ordered, Kind.NO_RETURN in flags)
             self._route.add(self._route.chain)
             if ordered and len(parts) == 1:
                 self._ordered(strict=Kind.NO_RETURN in flags)
         else:
             self._route.add(Visit(tuple(parts)))
             self._route.chain = None
+
+
+def drops(clause: Clause | None) -> bool:
+    """Whether a clause only picks something up or puts it down, which one goes on from."""
+    errands = [each.reference.errand for each in clause.operands] if clause is not None else []
+    return len(errands) == 1 and any(
+        each is not None and each.carries and not each.travels for each in errands
+    )
+
+
+def is_errand(clause: Clause) -> bool:
+    """Whether a clause tells of something that is carried or put down, and of nothing else."""
+    errands = [operand.reference.errand for operand in clause.operands]
+    return len(errands) == 1 and errands[0] is not None and (
+        errands[0].travels or (errands[0].carries and len(errands[0].stops[0]) == 1)
+    )  # fmt: skip
+
+
+def is_place(clause: Clause) -> bool:
+    """Whether a clause only speaks of places."""
+    return all(operand.reference.shape is Shape.PLACE for operand in clause.operands)
+
+
+def _of_symbol(operand: Operand, symbol: SymbolId) -> Operand:
+    """One symbol of an operand that is an errand, by itself."""
+    return replace(operand, reference=replace(operand.reference, symbol=symbol, errand=None))
 
 
 def _followed(formula: Formula, sequel: Formula) -> Formula:

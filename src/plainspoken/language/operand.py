@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from plainspoken.language.clause import Act
 from plainspoken.language.grounding import Shape
 from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
@@ -30,14 +31,23 @@ class OperandReader(Pointers):
         if reference is None:
             return
         draft = self._draft
+        further = self._nor
         if self._nor:
             self._nor = False
         elif draft.operands and self._opens(index, reference):
+            connector = draft.connector
             self._close(self._link)
             draft = self._draft
+            following = self._items[index + 1] if index + 1 < len(self._items) else None
+            main = next((each for each in reversed(self._done) if each.connector is None), None)
+            if connector and main and following and following.kind is connector:
+                # "do not go to a until b, or to c until d"
+                draft.negations = int(main.act is Act.AVOID)
+                draft.modality = main.modality
         elif draft.is_blank and self._link is not None:
             self._take_link()
-        if reference.form is Form.FINITE and draft.operands and reference.shape is Shape.STATE:
+        told = reference.form is Form.FINITE and reference.shape is Shape.STATE
+        if told and draft.operands and not further:
             draft.flipped = False
         if reference.never:
             draft.negations += 1
@@ -64,12 +74,12 @@ class OperandReader(Pointers):
         if reference.form is Form.FINITE:
             draft.complete = True
         said = self._items[index].text.split()
-        draft.told |= not COPULA_FORMS.isdisjoint(said)
+        draft.told |= not COPULA_FORMS.isdisjoint(said) and reference.shape is not Shape.PLACE
         if draft.connector is None:
             standing = reference.shape is Shape.STATE and _is_standing(said)
             if standing or (draft.being and reference.shape is Shape.PLACE):
                 draft.flags.add(Kind.BE)
-        elif not BEING.isdisjoint(said):
+        elif not BEING.isdisjoint(said) or (draft.being and reference.shape is Shape.PLACE):
             draft.flags.add(Kind.BE)
 
     def _opens(self, index: int, reference: Reference) -> bool:
@@ -83,11 +93,18 @@ class OperandReader(Pointers):
             if self._is_setting(reference) and not self._is_passive(index):
                 return False
             following = self._items[index + 1] if index + 1 < len(self._items) else None
-            if following is not None and following.kind in (Kind.BEFORE, Kind.AFTER) and (
-                draft.connector is not None and self._link in (Kind.AND, Kind.COMMA)
+            same = following is not None and following.kind is draft.connector
+            if following is not None and (following.kind in (Kind.BEFORE, Kind.AFTER) or same) and (
+                draft.connector is not None and self._link in (Kind.AND, Kind.COMMA, Kind.OR)
             ):  # fmt: skip
                 return True  # "one before two, and two before three"
             if draft.connector is None:
+                told = following is not None and following.kind in (
+                    Kind.BE, Kind.MUST, Kind.MAY, Kind.FORBIDDEN,
+                )  # fmt: skip
+                again = draft.operands[-1].reference.symbol == reference.symbol
+                if told and (draft.being or again) and self._link in (Kind.AND, Kind.COMMA):
+                    return True  # "the one is your next stop, and the other is ..."
                 return self._link is Kind.BUT or (
                     draft.operands[-1].reference.form is not Form.NOUN
                     and self._link not in (Kind.AND, Kind.OR)
@@ -103,6 +120,11 @@ class OperandReader(Pointers):
                 reference.obliged or not COPULA_FORMS.isdisjoint(self._items[index].text.split())
             ):  # fmt: skip
                 return False  # "never have a full and b empty"
+            if draft.connector is not None and self._link is Kind.BUT and not self._pause and (
+                reference.shape is Shape.STATE and not reference.obliged
+            ):  # fmt: skip
+                self._link = Kind.AND  # "if the one is so but the other is not"
+                return False
             return not draft.lists or self._link in (None, Kind.COMMA, Kind.BUT)
         before = self._items[index - 1] if index else None
         if draft.lists and before is not None and before.kind in (Kind.SUBJECT, Kind.NOT):

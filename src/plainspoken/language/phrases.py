@@ -10,14 +10,20 @@ from plainspoken.language.kind import Kind
 
 PHRASES_OF_DOING: dict[Kind, str] = {
     Kind.GO: """
+        ~wind up; ~wind up at; ~wind up in; ~go on; ~go on to; ~carry on; ~press on; ~push on;
+        ~head on; ~round off at; ~round off in; ~conclude at; ~conclude in; ~start out;
+        ~start out at; ~start off; ~start off at; ~set out; ~wander; ~roam; ~tick; ~tick off;
+        ~work your way; ~work your way along;
+        ~work your way through; ~work your way round;
         ~hit; ~check on; ~visit; ~go; ~reach; ~move; ~head; ~navigate; ~drive; ~travel;
         ~get to; ~proceed; ~enter; ~come; ~stop by; ~stop at; ~stop off; ~pass through;
         ~pass by; ~pass; ~drop by; ~drop in; ~swing by; ~walk; ~run to; ~run over;
         ~arrive; ~return; ~revisit; ~continue; ~advance; ~approach; ~access; ~step; ~set
         foot; ~make your way; ~make its way; ~journey; ~fly; ~roll; ~show up; ~find; ~see;
         ~observe; ~tour; ~explore; ~call at; ~attend; ~find your way; ~pay a visit; ~check
-        out; ~land; ~cross; ~be at; ~be in; ~be on; ~be inside; ~go back; ~come back;
-        ~have been; gone; went; visit; visits; passes; observation; ~route; ~trip;
+        out; ~land; ~cross; ~be at; ~be within; ~transition; ~be in; ~be on; ~be inside; ~go back;
+        ~come back;
+        ~have been; haven been; gone; went; visit; visits; passes; observation; ~route; ~trip;
         ~traverse; ~look in; ~make a stop; ~make it; ~go through; ~find yourself; ~pop
         into; ~pop over; ~stop; ~get into; ~get back; ~end up; ~pop by; ~swing; ~take a
         trip; ~lead; ~call in; ~call in at; ~call by; ~call on; ~drop in on; ~look in at;
@@ -33,7 +39,8 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         to
     """,
     Kind.STAY: """
-        ~stay; ~remain; ~wait; ~linger; ~keep going on; ~dwell; ~stand by; ~stay put;
+        ~stay; ~remain; ~stay within; ~remain within; ~keep within; ~wait; ~linger; ~keep going
+        on; ~dwell; ~stand by; ~stay put;
         ~hang around; ~hold position; ~keep; ~sit tight; ~rest; ~maintain; ~hold; ~hang
         on; ~hang about; ~stick around; ~stick to; ~stick with; ~stick at; ~wait around;
         ~stand still; ~hold still; ~hold your ground; ~stand guard; ~keep to; ~park;
@@ -47,7 +54,7 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         ~part from
     """,
     Kind.AVOID: """
-        ~avoid; ~bypass; ~skip; ~stay away; ~keep away; ~steer clear; ~stay out; ~keep
+        ~avoid; ~bypass; ~skip; ~stay away; ~keep away; ~steer clear; ~stay out; ~keep way; ~keep
         out; ~stay clear; ~keep clear; ~stay off; ~keep off; ~refrain from; ~refrain;
         ~evade; ~abstain from; ~shun; ~omit; ~keep your distance; ~keep from; ~stop short;
         ~forgo; ~prevent; ~stay well away; ~give a wide berth to; ~exclude; ~leave out;
@@ -61,7 +68,8 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         nothing but; anything but
     """,
     Kind.PATROL: """
-        ~patrol; keep visiting; keep going; keep going to; keep returning to; keep coming
+        ~patrol; endless patrol; endless patrol of; endless patrol that; keep visiting; keep
+        going; keep going to; keep returning to; keep coming
         back; never stop visiting; never stop going; do not stop visiting; do not stop
         going; not stop visiting; not stop going; ~circle; continue visiting; continue
         going; continuously visit; ~surveil; ~monitor; keep moving; keep on visiting;
@@ -73,13 +81,19 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         patrolling; ~keep checking on; ~keep a watch on; ~go round and round; ~cycle;
         ~cycle through; ~loop; ~loop through; ~shuttle; ~shuttle between
     """,
+    Kind.BARS: """
+        locks; locks up; closes; closes off; blocks; blocks off; bars; seals off; rules out;
+        precludes; prohibits; forbids; prevents you from; puts an end to; shuts; shuts off;
+        means the end of; locks you out of; keeps you out of; bars you from; excludes
+    """,
+    Kind.RELEASES: "releases; frees; liberates; discharges",
     Kind.LEADS: """
         ~lead to; ~imply; ~imply that; ~entail; ~entail that; ~trigger; ~result in; ~bring
         about; ~necessitate; ~have as a consequence; ~have as a consequence that; has to
         be followed by; must be followed by; is to be followed by; needs to be followed
         by; is followed by; are followed by; should be followed by; shall be followed by;
         has to lead to; must always be followed by; always be followed by; be followed; is
-        followed; are followed; has to be followed; be answered by; be answered with; is
+        followed; are followed; ~call for; has to be followed; be answered by; be answered with; is
         answered by; means; means that; meaning that
     """,
     Kind.PRECEDED: """
@@ -98,6 +112,8 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         becoming; turn; turns; has been; have been; 's
     """,
     Kind.ENSURE: """
+        make it a rule; make it a rule to; it would be nice to; it would be nice to have; it would
+        be good to; it would be good to have; it would be great to; it would be great to have;
         make sure; make sure that; make certain; be sure; be certain; ensure; ensure that;
         ensuring; ensuring that; see to it; see to it that; guarantee; please; kindly; you
         are asked to; your task is to; your mission is to; your job is to; the task is to;
@@ -133,7 +149,8 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         that
     """,
     Kind.MUST: """
-        must; have to; has to; had to; having to; should; shall; need to; needs to; ought
+        ~deserve; ~merit; ~warrant; must; have to; has to; had to; having to; should; shall; need
+        to; needs to; ought
         to; is to; are to; are required to; is required to; is supposed to; are supposed
         to; will; are obliged to; are expected to; will have to; will need to; is
         mandatory; gotta; got to; had better; it is mandatory to; it is compulsory to; are
@@ -157,7 +174,7 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         required to; needs not; are under no obligation to
     """,
     Kind.NOT: """
-        not; no; neither; nor; none of; none; nothing; nobody; no one; nowhere; are
+        only not; not; no; neither; nor; none of; none; nothing; nobody; no one; nowhere; are
         prohibited from; is prohibited from; forbidden to; forbidden from; are forbidden
         to; is forbidden to; are forbidden from; banned from; not even; under no
         circumstances; it is not the case that; it is not true that; on no account; in no
@@ -170,13 +187,14 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         so that
     """,
     Kind.NEVER: """
-        never; never ever; at no time; at no point; at no moment; not at any time; no
+        only never; never; never ever; at no time; at no point; at no moment; not at any time; no
         time; at no stage; at no time may; at no time must; at no time should; not at any
         point; not at any moment; not at any stage; not for a moment; not for one moment;
         not even once; never once; not a single time; not one single time; in no step; at
         no instant; at no step; never at any time
     """,
     Kind.FORBIDDEN: """
+        will not do; will not suffice; is not enough; are not enough; do not suffice;
         off limits; is off limits; are off limits; out of bounds; is out of bounds;
         prohibited; is prohibited; are prohibited; forbidden; is forbidden; are forbidden;
         must be avoided; should be avoided; is to be avoided; are to be avoided; has to be
@@ -184,7 +202,9 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         are not permitted; must always be avoided; should always be avoided; should be
         avoided at all costs; is taboo; is banned; are banned; banned; need to be avoided;
         needs to be avoided; a miss; a wide berth; a no go area; a no go zone; a no go; no
-        go; is a no go; are a no go; are taboo; taboo; out of the question; is out of the
+        go; is a no go; are a no go; is a no go zone; is a no go area; are no go zones; are no go
+        areas;
+        no go zone; no go zones; are no go; are taboo; taboo; out of the question; is out of the
         question; are out of the question; off the table; barred; is barred; are barred;
         is not an option; are not an option; is ruled out; are ruled out; is over; are
         over; is over and done with; is strictly forbidden; are strictly forbidden;
@@ -262,7 +282,8 @@ PHRASES_OF_DOING: dict[Kind, str] = {
     """,
     Kind.RIGHT_BEFORE: """
         right before; immediately before; just before; directly before; straight before;
-        immediately prior to; the step before; in the step before
+        immediately prior to; one step before; a step before; one instant before; the step before;
+        in the step before
     """,
     Kind.UNTIL: """
         until; till; til; up until; up to when; until such time as; until the moment;
@@ -276,7 +297,9 @@ PHRASES_OF_DOING: dict[Kind, str] = {
     """,
     Kind.UNLESS: "unless; except if; except when; except while; except after; save when",
     Kind.WHILE: """
-        while; whilst; as long as; so long as; during; at times when; all the while;
+        while; whilst; at a time when; at a moment when; at an instant when;
+        at the same time as;
+        as long as; so long as; during; at times when; all the while;
         throughout; for as long as; meanwhile; in the meantime; as you; while you; the
         whole time; for the time that; at every moment at which; at any step where; all
         the time that; the whole time that; the entire time that; in the time that; at all
@@ -302,6 +325,11 @@ PHRASES_OF_DOING: dict[Kind, str] = {
         only if and when
     """,
     Kind.ELSEWHERE: """
+        everywhere but; everywhere except; everywhere other than; everywhere apart from;
+        anywhere apart from; anywhere save; wherever you like but; wherever you like except;
+        wherever you want but; wherever you want except; everywhere save; anywhere you like but;
+        anywhere you like except; anywhere you want but; anywhere you want except;
+        everywhere else but; anything except; all places but; any place but; any place except;
         anywhere but; anywhere but in; anywhere but at; anywhere except; anywhere except
         in; anywhere except at; anywhere other than; anywhere other than in; anywhere
         other than at; elsewhere than; elsewhere than in; elsewhere than at; outside of;

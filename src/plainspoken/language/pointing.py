@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from plainspoken.language.clause import Operand
+from plainspoken.language.clause import Act, Operand
 from plainspoken.language.draft import Draft
 from plainspoken.language.grounding import Shape
 from plainspoken.language.item import Item
@@ -89,13 +89,34 @@ class Pointers(Lookahead):
         main = next((each for each in reversed(self._done) if each.connector is None), None)
         return tuple(replace(each, link=None) for each in main.operands[:1]) if main else ()
 
+    def _is_left(self, draft: Draft) -> bool:
+        """Whether a place is left where one was just told to go: "go there, then leave it"."""
+        before = self._done[-1] if self._done else None
+        return (
+            draft.verb is Kind.LEAVE
+            and not draft.negations
+            and not draft.flags
+            and draft.connector is None
+            and before is not None
+            and before.connector is None
+            and before.act is Act.DO
+            and [each.reference.symbol for each in before.operands][-1:]
+            == [each.reference.symbol for each in draft.operands]
+        )
+
     def _close(self, link: Kind | None, connector: Kind | None = None) -> None:
         """End the clause that is being read and begin another."""
         draft = self._draft
         if draft.pronoun and not draft.operands and draft.connector is None and draft.verb:
             self._pointed(situation=False)
+        if draft.counts and not draft.operands and draft.connector is None and (
+            draft.verb is None and Kind.AGAIN not in draft.flags
+        ):  # fmt: skip
+            self._pointed(situation=False)  # "as to a, twice is the limit"
         open_end = draft.connector is not None or draft.negations > 0
-        if self._draft.operands or self._draft.counts or self._draft.flags or open_end:
+        if self._is_left(draft):
+            link = self._draft.link if link is None else link
+        elif self._draft.operands or self._draft.counts or self._draft.flags or open_end:
             self._done.append(self._draft.clause())
         elif self._draft.link is not None and connector is None and link is None:
             link = self._draft.link

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from plainspoken.language.clause import Act, Clause
+from plainspoken.language.counting import Count
 from plainspoken.language.grounding import Shape
-from plainspoken.language.item import Count
 from plainspoken.language.itinerary import Chain
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.main_clause import MainClauses
@@ -90,15 +92,22 @@ class Reactions(MainClauses):
         elif chain is not None and parts == chain.places[:1]:
             chain.places[:0] = earlier
         else:
-            self._route.chain = Chain([*earlier, *parts])
-            self._route.add(self._route.chain)
+            self._route.begin(Chain([*earlier, *parts], ordered=Kind.IN_ORDER in clause.flags))
 
     def _reaction_forbidden(
         self, main: Clause, clause: Clause, trigger: Formula, parts: list[Formula]
     ) -> None:
         states = all(o.reference.shape is Shape.STATE for o in clause.operands)
-        same = clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
-            states or Kind.BE in clause.flags
+        later = main.flags & {Kind.LATER, Kind.LATER_ON}
+        same = (
+            clause.connector in (Kind.WHEN, Kind.WHENEVER)
+            and not later
+            and (states or Kind.BE in clause.flags)
+        )
+        unvisited = (
+            same
+            and (clause.act is Act.AVOID or all(o.negated for o in clause.operands))
+            and all(o.reference.shape is Shape.PLACE for o in (*main.operands, *clause.operands))
         )
         for part in parts:
             lasting = main.flags & {Kind.AFTER_THAT, Kind.ALWAYS, Kind.AGAIN}
@@ -106,6 +115,13 @@ class Reactions(MainClauses):
                 Kind.NEXT_INSTANT in main.flags
             ):
                 self._route.add(PromptReaction(trigger, negated(part), self._steady(clause)))
+            elif part == trigger:
+                # "never again once you have been there three times"
+                times = max((count.times for count in clause.counts), default=1)
+                self._route.add(AtMost(part, times))
+            elif unvisited:
+                # "not b if you have not been to a"
+                self._route.add(PastAvoidance(part, negated(trigger)))
             elif (same and Kind.AFTER_THAT not in main.flags) or Kind.NOW in main.flags:
                 self._route.add(InstantaneousReaction(trigger, negated(part)))
             elif clause.connector in (Kind.WHEN, Kind.WHENEVER) and (
@@ -113,17 +129,15 @@ class Reactions(MainClauses):
             ):
                 # "not b if you have not been to a"
                 self._route.add(PastAvoidance(part, negated(trigger)))
-            elif part == trigger:
-                self._route.add(AtMost(part, 1))
             else:
                 self._route.add(FutureAvoidance(trigger, part))
 
     def _once_before(self, parts: list[Formula], later: list[Formula]) -> None:
         """Read "a exactly once before b": a strict order."""
         chain = self._route.chain
-        if len(parts) == len(later) == 1 and self._route.enter_once(parts[0], later[0]):
-            return
-        if chain is not None and chain.places[-1:] == parts:
+        if chain is not None and [*parts, *later] in map(list, pairwise(chain.places)):
+            chain.strict = True
+        elif chain is not None and chain.places[-1:] == parts:
             chain.places += later
             chain.strict = True
         elif chain is not None and chain.places == later:

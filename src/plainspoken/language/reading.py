@@ -19,9 +19,16 @@ _RETURNS = frozenset(["revisit", "revisiting", "return", "returning", "reenter"]
 
 _BACK = frozenset(["come", "coming", "go", "going", "get", "getting"])
 
+_ONWARD = frozenset(["proceed", "continue", "finish", "end", "conclude", "wind", "round"])
+_ONWARDS = ("go on", "move on", "carry on", "press on", "push on", "head on", "end up")
+"""Verbs that lead on from the place before."""
+
 _SEQUELS = frozenset((Kind.AFTER_THAT, Kind.LATER_ON))
 
 _DENIALS = frozenset(("not", "never", "no"))
+
+_PASSED = FLAGS | {Kind.NOT, Kind.NEVER}
+"""What may stand between "it is" and what it is."""
 
 
 def _is_past(item: Item) -> bool:
@@ -46,23 +53,29 @@ class _Reader(Turns):
         if kind is Kind.STOP:
             if item.text == "?" and self._asks():
                 self._draft.connector = Kind.WHEN
+                self._with_what_is_asked()
                 self._close(Kind.COMMA)
             elif not self._draft.is_blank:
                 self._close(Kind.STOP)
-        elif kind is Kind.THEN and item.text.startswith("followed") and self._obliged() and (
+        elif kind is Kind.THEN and item.text.startswith("followed") and (
+            self._obliged() or self._draft.being
+        ) and (
             self._link is None
         ):  # fmt: skip
             self._leads()
         elif kind in _LINKS:
             self._linked(kind)
-            if kind is Kind.OR and " of" in item.text and not self._draft.operands:
+            one_of = item.text.endswith((" of", " from")) or " of " in item.text
+            if kind is Kind.OR and one_of and not self._draft.operands:
                 self._either_of()
+        elif kind is Kind.OTHERWISE:
+            self._otherwise()
         elif kind is Kind.ELSEWHERE and not self._acts():
             self._draft.verb = Kind.AVOID
         elif kind is Kind.MUST and item.text == "should" and self._inverted(index):
-            self._connected(Kind.WHEN)
+            self._connected(index, Kind.WHEN)
         elif kind in CONNECTORS:
-            self._connected(kind)
+            self._connected(index, kind)
             self._draft.denied = not _DENIALS.isdisjoint(item.text.split())
         else:
             self._read_within(index, item)
@@ -86,9 +99,12 @@ class _Reader(Turns):
         elif kind is Kind.FORBIDDEN:
             self._forbidden()
         elif kind is Kind.BE:
-            self._draft.being = True
+            # "as long as you have not been there" tells of the past.
+            past = item.text == "been" and self._draft.connector is not None
+            self._draft.being |= not past
         elif kind is Kind.COUNT and item.count is not None:
-            if self._names_again(index):
+            behind = self._items[index + 1 : index + 2]
+            if behind and behind[0].reference and self._names_again(index):
                 self._close(self._link)  # "a then b, with exactly one visit to a before b"
             self._draft.counts.append(item.count)
             self._draft.counted = bool(self._draft.operands)
@@ -98,27 +114,44 @@ class _Reader(Turns):
             self._all_of(index, item)
         elif kind is Kind.LEADS:
             self._leads()
+        elif kind is Kind.BARS:
+            self._bars()
+        elif kind is Kind.RELEASES:
+            self._releases()
         elif kind is Kind.PRECEDED:
             self._preceded()
         elif kind is Kind.OCCUR:
             self._draft.complete = True
         elif kind is Kind.IT_HAPPENS:
-            following = self._items[index + 1] if index + 1 < len(self._items) else None
-            if following is None or following.kind not in (*VERBS, Kind.REFERENCE):
+            ahead = (each for each in self._items[index + 1 :] if each.kind not in _PASSED)
+            said = next(ahead, None)
+            if said is None or said.kind not in (*VERBS, Kind.REFERENCE):
                 self._pointed(situation=True)
+        elif item.reference is not None:
+            self._last.append(item.reference)  # it is only mentioned
         elif kind in (Kind.SUBJECT, Kind.FILLER, Kind.RELATIVE):
             self._subject(index, item)
 
     def _linked(self, kind: Kind) -> None:
         self._pause |= kind is Kind.COMMA
+        if self._draft.verb is Kind.LEAVE and self._draft.link and not self._draft.operands:
+            self._draft.verb = None  # "go there, then leave, and ..."
+        draft = self._draft
+        if draft.pronoun and draft.being and draft.verb and not draft.operands and (
+            draft.connector is None
+        ):  # fmt: skip
+            self._pointed(situation=False)  # "it has to be visited, and ..."
         strength = (None, Kind.COMMA, Kind.AND, Kind.OR, Kind.BUT, Kind.THEN, Kind.ONLY_THEN)
         if strength.index(kind) > strength.index(self._link):
             self._link = kind
 
-    def _connected(self, kind: Kind) -> None:
+    def _connected(self, index: int, kind: Kind) -> None:
         draft = self._draft
         if draft.connector is not None and not draft.operands:
-            draft.connector = kind
+            if self._items[index].text.startswith("having"):
+                draft.flags.add(Kind.ALREADY)  # "without having been to a"
+            elif not (draft.connector is Kind.PROMPTLY and kind in (Kind.WHENEVER, Kind.WHEN)):
+                draft.connector = kind
             return
         if (
             draft.connector is None
@@ -159,22 +192,34 @@ class _Reader(Turns):
                 if item.kind is not Kind.GO:
                     draft.verb = item.kind
                 return
+            turned = item.kind is Kind.AVOID and draft.verb in (None, Kind.GO) and not (
+                draft.negations
+            )  # fmt: skip
             if item.form is Form.GERUND and self._link in (Kind.AND, Kind.OR, Kind.COMMA) and not (
-                self._names_again(index)
+                turned or self._names_again(index)
             ):  # fmt: skip
                 return
             self._close(self._link)
             draft = self._draft
         elif self._link is not None and draft.is_blank:
             self._take_link()
-        self._link = None
+        linked, self._link = self._link, None
         first, *more = item.text.split()
+        onward = first in _ONWARD or item.text.startswith(_ONWARDS)
+        if onward and self._done and draft.connector is None and not draft.negations and (
+            draft.link in (Kind.COMMA, Kind.AND, Kind.STOP)
+        ):  # fmt: skip
+            draft.link = Kind.THEN  # "go on to b", "finish up at c"
         if first in _RETURNS or (first in _BACK and more == ["back"]):
             draft.flags.add(Kind.AGAIN)
         if item.text.split()[0] in BEING:
             draft.flags.add(Kind.BE)
         if draft.connector is not None and item.form is Form.FINITE and _is_past(item):
             draft.flags.add(Kind.ALREADY)
+        if draft.verb is Kind.GO and item.kind is Kind.LEAVE and not draft.operands and (
+            linked in (Kind.AND, Kind.THEN)
+        ):  # fmt: skip
+            return  # "visit and then leave it" is a visit
         if draft.verb is None or (draft.verb is Kind.GO and item.kind is not Kind.GO):
             draft.verb = item.kind
         elif draft.verb is Kind.AVOID and item.kind is Kind.LEAVE:
@@ -202,7 +247,11 @@ class _Reader(Turns):
             draft.modality = kind  # "doing a is permitted at b"
             return
         if draft.operands:
-            if self._is_passive(index) and (draft.verb is None or draft.connector is not None):
+            # "a visit to a must be followed by ..." has a verb that is a noun
+            nominal = draft.verb is None or (
+                draft.verb is Kind.GO and not draft.subject and self._link is None
+            )
+            if self._is_passive(index) and (nominal or draft.connector is not None):
                 if draft.connector is None:
                     self._link = None
                     draft.modality = kind if kind is not Kind.ENSURE else draft.modality
@@ -223,6 +272,9 @@ class _Reader(Turns):
         bare = self._items[index].text.split()[0] == "no" and (
             following is not None and following.form in (Form.NOUN, Form.GERUND)
         )
+        if draft.lists and draft.flipped and draft.operands and self._items[index].text == "nor":
+            self._link, self._nor = Kind.AND, True  # "if it is neither a nor b"
+            return
         if draft.lists and kind is Kind.NOT and not (bare and draft.operands) and (
             not draft.operands
             or (self._link in (Kind.AND, Kind.OR) and not self._forbids(index))
@@ -230,6 +282,10 @@ class _Reader(Turns):
             draft.flipped = not draft.flipped if not draft.operands else True
             draft.shared = False
             return
+        if draft.operands and draft.negations % 2 and (
+            following is None or following.kind is Kind.STOP
+        ):  # fmt: skip
+            return  # "never a or b, not even once"
         if draft.operands and self._is_last(index):
             self._behind()
             return
@@ -257,12 +313,21 @@ class _Reader(Turns):
 
     def _flagged(self, index: int, kind: Kind) -> None:
         draft = self._draft
-        if draft.operands and self._link is not None:
+        behind = kind is Kind.AGAIN and draft.negations % 2 and self._link is Kind.COMMA
+        if draft.operands and self._link is not None and not behind:
             if self._begins(index):
                 self._close(self._link)
             elif kind in _SEQUELS and draft.connector is None and self._goes_on(index):
                 self._link = Kind.THEN  # "a, and later b"
                 return
+            elif draft.connector is None and self._goes_on(index) and (
+                kind is Kind.BEFORE_THAT or (kind is Kind.FIRST and self._link is Kind.BUT)
+            ):  # fmt: skip
+                self._close(self._link)  # "a, and before that b", "a, but first b"
+                kind = Kind.BEFORE_THAT
+        after = kind is Kind.LATER and self._items[index].text.endswith(" after")
+        if after and Kind.ALWAYS in self._draft.flags:
+            kind = Kind.AGAIN_AND_AGAIN  # "at any point you must visit it at least once after"
         self._draft.flags.add(kind)
 
     def _subject(self, index: int, item: Item) -> None:

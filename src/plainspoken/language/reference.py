@@ -7,10 +7,21 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from enum import StrEnum, auto
 
+from plainspoken.language.errand import Errand
 from plainspoken.language.frame import ARTICLES
 from plainspoken.language.grounding import COPULAS, Expression, Shape, Vocabulary
 from plainspoken.language.lexicon import is_general
 from plainspoken.language.verbal import is_idle, is_motion, is_noun
+from plainspoken.language.voice import (
+    DOERS,
+    LASTING,
+    NEGATIONS,
+    OBLIGING,
+    WITHIN,
+    is_eventful,
+    is_participle,
+    is_relative,
+)
 from plainspoken.language.word import Word
 from plainspoken.world.symbol import SymbolId
 
@@ -23,25 +34,12 @@ BARE_VERB = 0.75
 CLOSE = 0.12
 """Two readings nearer to each other than this are both put to the person."""
 
-_NEGATIONS = frozenset(("not", "no", "never", "neither", "nor"))
-_WITHIN_WORDS = """
-    is are am be was were been being gets get got getting becomes become becoming
-    turns turn turned goes has have had having longer ever already yet finally fully
-    completely totally still now also must should can could may might will would
-    shall needs need to of in on at into from with up down out off its his their any
-    some your 's currently inside itself going right just again entirely onto over
-    by for that this these those number no actually immediately promptly really
-    always only later then eventually quickly it all both each run runs running lie lies
-    lying sit sits stand stands seem seems look looks end ends ended land lands landed reach
-    reaches reached reaching make makes come comes came appear appears
-"""
-_WITHIN = ARTICLES | _NEGATIONS | frozenset(_WITHIN_WORDS.split())
 _ATTRIBUTIVE = ARTICLES | frozenset(
     ("of", "its", "their", "your", "any", "some", "up", "out", "off", "on", "in", "down", "hold")
 )
 """What may stand between a state and its subject where the state comes first."""
+_MORE = frozenset(("more", "further", "another", "additional"))
 _STAYING = frozenset(("keep", "stay", "steer", "remain"))
-_LASTING = frozenset(("stay", "stays", "remain", "remains", "kept"))
 _ANYTHING = frozenset(("anything", "something", "anyone", "someone", "one"))
 _NUMBERING = frozenset(("number", "no", "nr", "#"))
 
@@ -63,8 +61,10 @@ class Reference:
     score:       1 for the landmark's own words
     negated:     "the tank is not full", "the tank is empty"
     lasting:     a "stay" within: "the tank must stay full"
+    eventful:    told as what is done: "the tank must not be opened", "the tank gets opened"
     obliged:     a "must" within: "site 2 must be cleared"
     rivals:      other symbols that it may mean just as well
+    errand:      what is done at several stops, of which the symbol is the last
     """
 
     symbol: SymbolId
@@ -77,21 +77,76 @@ class Reference:
     never: bool = False
     obliged: bool = False
     lasting: bool = False
+    eventful: bool = False
     parts: int = 1
     rivals: tuple[SymbolId, ...] = ()
+    errand: Errand | None = None
 
 
 def references(said: Sequence[Word], vocabulary: Vocabulary) -> tuple[Reference, ...]:
     """The referring expressions of an utterance, left to right, none overlapping another."""
-    whole = _chosen(_candidates(said, vocabulary, 1.0), said)
+    errands = [_of_errand(index, word.errand) for index, word in enumerate(said) if word.errand]
+    taken = frozenset(each.first for each in errands)
+    whole = [*errands, *_chosen(_candidates(said, vocabulary, 1.0, taken), said)]
     covered = {index for each in whole for index in range(each.first, each.last)}
+    whole = _with_acts_on_places(whole, said, vocabulary, covered)
+    covered = {index for each in whole for index in range(each.first, each.last)}
+    general = {i for i, word in enumerate(said) if i not in covered and is_general(word)}
     rest = [
         each
-        for each in _candidates(said, vocabulary, LEAST_SHARE, covered)
+        for each in (
+            *_candidates(said, vocabulary, LEAST_SHARE, covered),
+            *(
+                each
+                for each in _candidates(said, vocabulary, LEAST_SHARE, covered, general)
+                if each.shape is Shape.ACT and _takes_object(each, said)
+            ),
+        )
         if each.score >= LEAST_SCORE or each.shape is not Shape.STATE
     ]
     ordered = sorted((*whole, *_chosen(rest, said)), key=lambda each: each.first)
     return tuple(_in_list(each, said) for each in ordered)
+
+
+def _with_acts_on_places(
+    whole: list[Reference], said: Sequence[Word], vocabulary: Vocabulary, covered: AbstractSet[int]
+) -> list[Reference]:
+    """Let "open gate 1" for "to open the door of gate 1" go before the bare place in it."""
+    places = {each.first: each for each in whole if each.shape is Shape.PLACE}
+    free = covered - {i for each in places.values() for i in range(each.first, each.last)}
+    starts = {
+        index
+        for index in range(len(said))
+        if index not in covered and any(index < first <= index + 3 for first in places)
+    }
+    found = [
+        each
+        for each in _candidates(said, vocabulary, LEAST_SHARE, free, starts)
+        if each.shape is Shape.ACT
+        and each.score >= LEAST_SCORE
+        and any(
+            each.first < first and each.last >= place.last and each.parts > place.parts
+            for first, place in places.items()
+        )
+    ]
+    acts = _chosen(found, said)
+    inside = {index for each in acts for index in range(each.first, each.last)}
+    return [*(each for each in whole if each.first not in inside), *acts]
+
+
+def _takes_object(each: Reference, said: Sequence[Word]) -> bool:
+    """Whether a general verb is an act by what it is done to: "start the pump"."""
+    behind = each.first + 1
+    return (
+        each.parts > 1
+        and each.score >= LEAST_SCORE
+        and (said[behind].text in ARTICLES or each.last - each.first == each.parts)
+    )
+
+
+def _of_errand(index: int, errand: Errand) -> Reference:
+    symbol = errand.stops[-1][-1]
+    return Reference(symbol, index, index + 1, 1.0, Form(errand.form), Shape.ACT, errand=errand)
 
 
 def _in_list(each: Reference, said: Sequence[Word]) -> Reference:
@@ -106,13 +161,17 @@ def _candidates(
     vocabulary: Vocabulary,
     share: float,
     covered: AbstractSet[int] = frozenset(),
+    starts: AbstractSet[int] | None = None,
 ) -> Iterator[Reference]:
-    for start in range(len(said)):
-        if start in covered or (share < 1 and is_general(said[start])):
+    known = vocabulary.by_stem
+    if share == 1.0:
+        known = vocabulary.within(frozenset(stem for word in said for stem in word.stems))
+    for start in range(len(said)) if starts is None else sorted(starts):
+        if start in covered or (share < 1 and starts is None and is_general(said[start])):
             continue
         tried: set[int] = set()
         for stem in said[start].stems:
-            for expression in vocabulary.by_stem.get(stem, ()):
+            for expression in known.get(stem, ()):
                 if id(expression) not in tried:
                     tried.add(id(expression))
                     found = _matched(expression, start, said, share=share, covered=covered)
@@ -144,7 +203,9 @@ def _matched(
             quality += fit
             if len(at) == len(expression.parts):
                 break
-        elif not _passes(word, expression.shape):
+        elif 0 not in at and expression.shape is Shape.ACT and word.text in DOERS:
+            continue
+        elif not _passes(word, expression.shape) or _is_kept_from(said, index, expression.shape):
             break
     if not at or min(at.values()) != start:
         return None
@@ -155,8 +216,13 @@ def _matched(
     heads = share < 1 and expression.head and set(at) == {expression.head_part}
     if len(at) < share * len(expression.parts) and not (bare or heads):
         return None
-    if not _is_well_formed(expression, at, said) or (bare and is_idle(said, start)):
+    single = expression.shape is Shape.ACT and len(expression.parts) == 1
+    if not _is_well_formed(expression, at, said) or ((bare or single) and is_idle(said, start)):
         return None
+    if single and quality < 0.9 and is_general(said[start]) and not any(
+        is_general(Word(stem, 0, 0)) for stem in expression.parts[0].stems
+    ):  # fmt: skip
+        return None  # "get to the gate" is no fetching, though "drive" is "move"
     return _reference(expression, at, said, quality)
 
 
@@ -184,11 +250,17 @@ def _passes(word: Word, shape: Shape) -> bool:
         return (
             word.text in ARTICLES or word.text in _NUMBERING or (word.is_mark and word.text != ";")
         )
-    if shape is Shape.STATE and word.text in _LASTING:
+    if shape is Shape.STATE and word.text in LASTING:
         return True
-    if shape is Shape.STATE and word.text == "from":
-        return False  # "keep the one from being the other" denies it
-    return word.text in _WITHIN
+    if shape is Shape.ACT and word.text in _MORE:
+        return True
+    return word.text in WITHIN
+
+
+def _is_kept_from(said: Sequence[Word], index: int, shape: Shape) -> bool:
+    """Whether a state is denied by "from": "keep the one from being the other"."""
+    behind = said[index + 1].text if index + 1 < len(said) else ""
+    return shape is Shape.STATE and said[index].text == "from" and behind.endswith("ing")
 
 
 def _is_well_formed(
@@ -199,17 +271,23 @@ def _is_well_formed(
     parts = len(expression.parts)
     if any(part and part - 1 not in at and expression.parts[part].is_number for part in at):
         return False  # "sweep one" is not "sweep yard 1"
+    if any(part and expression.parts[part].is_number and at[part] < at[part - 1] for part in at):
+        return False  # "one yard" is not "yard 1"
     if expression.shape is Shape.PLACE:
         return 0 in at or not all(said[index].number.isdigit() for index in at.values())
     if expression.shape is Shape.ACT:
         if 0 not in at:
             return False
         behind = [part for part in at if part and at[part] < at[0]]
-        return not behind or _is_participle(said[at[0]])
+        if not behind or is_participle(said[at[0]]) or is_relative(said, at[0]):
+            return True
+        # "every meal delivery"
+        compound = at[0] == max(at.values()) and at[0] - min(at.values()) == len(at) - 1
+        return compound and not expression.parts[0].stems & said[at[0]].stems
     if not expression.subject:
         first, last = min(at.values()), max(at.values())
         between = {said[index].text for index in range(first, last)}
-        denied = between & (_NEGATIONS - {"neither", "no"})
+        denied = between & (NEGATIONS - {"neither", "no"})
         ordered = not expression.agentless or (at.get(0) == first and not denied)
         return len(at) == parts and ordered
     if any(
@@ -232,32 +310,28 @@ def _is_well_formed(
     return max(predicate) < min(subject) and between <= _ATTRIBUTIVE and not staying
 
 
-def _is_participle(word: Word) -> bool:
-    return not word.text.endswith(("ing", "s")) and word.stems != {word.text}
-
-
 def _reference(
     expression: Expression, at: dict[int, int], said: Sequence[Word], quality: float
 ) -> Reference:
     first, last = min(at.values()), max(at.values()) + 1
-    if expression.head and set(at) == {expression.head_part} and first and (
-        said[first - 1].text == "the"
-    ):  # fmt: skip
-        score = BARE_VERB
-    if set(at) == {0} and last < len(said) and said[last].text in _ANYTHING:
+    named = expression.shape is Shape.PLACE  # "the office one time"
+    if not named and set(at) == {0} and last < len(said) and said[last].text in _ANYTHING:
         last += 1
     between = [said[i].text for i in range(first, last) if i not in at.values()]
     never = "never" in between
     score = expression.weight * quality / len(expression.parts)
     if expression.shape is Shape.ACT and set(at) == {0} and len(expression.parts) > 1:
         score = expression.weight * quality * BARE_VERB * (0.8 if expression.instance else 1.0)
+    heads = expression.head and set(at) == {expression.head_part} and len(expression.parts) > 1
+    if heads and first and said[first - 1].text == "the":
+        score = BARE_VERB  # "the store" where there is no other
     turned = expression.shape is Shape.STATE and first == min(
         (at[part] for part in range(expression.subject, len(expression.parts)) if part in at),
         default=-1,
     )
     if turned and first and not _is_told(said, first):
         score *= 0.97  # "(the tank is) full, the tank ..." is not "a full tank"
-    negations = sum(1 for text in between if text in _NEGATIONS and text != "never")
+    negations = sum(1 for text in between if text in NEGATIONS and text != "never")
     return Reference(
         symbol=expression.symbol,
         first=first,
@@ -267,8 +341,9 @@ def _reference(
         shape=expression.shape,
         negated=expression.negated != (negations % 2 == 1),
         never=never,
-        obliged=any(text in ("must", "should", "shall", "needs", "to") for text in between),
-        lasting=any(text in _LASTING for text in between),
+        obliged=any(text in OBLIGING for text in between),
+        lasting=any(text in LASTING for text in between),
+        eventful=is_eventful(expression, at, said),
         parts=len(at),
     )
 
@@ -298,6 +373,7 @@ def _form(expression: Expression, at: dict[int, int], said: Sequence[Word]) -> F
     part = next(p for p, index in at.items() if index == min(at.values()))
     inflected = expression.parts[part].stems != {verb.text} or (
         said[place + 1].text in ARTICLES  # "open the jar", not "the open jar"
+        or len(said[place + 1].text) > said[place + 1].end - said[place + 1].start  # "open it"
     )
     return Form.BASE if inflected and verb.stems == {verb.text} else Form.FINITE
 
@@ -340,5 +416,5 @@ def _chosen(
 
 def _strain(each: Reference) -> bool:
     """Whether words that fit an act and a state are better read as the other of the two."""
-    asked = each.form in (Form.BASE, Form.GERUND)
+    asked = each.form in (Form.BASE, Form.GERUND) or each.eventful
     return (each.shape is Shape.STATE and asked) or (each.shape is Shape.ACT and not asked)

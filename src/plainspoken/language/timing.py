@@ -15,10 +15,12 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         way; the same way; or rather
     """,
     Kind.OR: """
-        or; either; or else; at least one of; any one of; one of; alternatively; or any
+        ~pick one from; ~pick one of; ~choose one from; ~choose one of; ~pick either of;
+        ~choose either of; ~select one of; ~select one from; ~take one of;
+        or; either; at least one of; any one of; one of; alternatively; or any
         of; at least one out of; one out of; at least one among; any of; whichever of; one
         or other of; one or the other of; either one of; either of; at least one of the
-        two; as you prefer; if not
+        two; as you prefer
     """,
     Kind.BUT: """
         but; however; yet; though; although; except that; with the proviso that; whereas;
@@ -52,7 +54,8 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         first place; first stop
     """,
     Kind.BEFORE_THAT: """
-        before that; beforehand; but before that; first though; before this; before then;
+        before it; before them; before that; beforehand; but before that; first though; before
+        this; before then;
         prior to that; prior to this; earlier; by then; by that time; ahead of that; ahead
         of it; earlier than that; at an earlier time; some time before that; before doing
         so; before doing that; before you do; before you do so; before you do that; before
@@ -81,6 +84,7 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         that; at some point after that; at any time after that; any time after; ever
         afterwards; after doing this; later than that; when you have done that; once you
         have done that; after being there; when finished there; once finished there;
+        for future visits; for any future visit; for the future; in future; for ever after;
         afterwards at some point; in the time after that
     """,
     Kind.RIGHT_AFTER_THAT: """
@@ -212,6 +216,12 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         subsequent time; at some later step
     """,
     Kind.LATER: """
+        before we pack up; before you pack up; before we finish; before we stop; before you stop;
+        before we leave; before we go home; before you go home; before closing time; before
+        knocking off; before the end of the day; before the day is over; before your shift is
+        over; before your shift ends; before the shift is over; before the shift ends; before we
+        close; before you call it a day; before we call it a day; by closing time; by tonight;
+        by the end of the day; by the end of the shift;
         eventually; in the future; at some point; sooner or later; at some stage; in the
         end; at some time; ultimately; some time; sometime; at the end; in due course; at
         least once in the future; at least once after; at one point; at some point after;
@@ -248,6 +258,10 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         instant; in that same step; at that step; right there and then
     """,
     Kind.ALWAYS: """
+        every time that happens; whenever that happens; whenever that is the case; each time that
+        happens; whenever that is so; every time this happens; each time this happens; whenever
+        this happens; whenever this is the case; every time it happens; each time it happens;
+        every time that is so; every time that is the case; whenever it happens;
         always; at all times; all the time; at every moment; at all costs; at any time;
         ever; in any case; permanently; at any point; at every point; at any moment; at
         every instant; at any point in time; for the whole mission; throughout the
@@ -265,6 +279,11 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         situations; without fail; with no exception; with no exceptions; no exceptions;
         without any exception; at every stage; every step of the way; come what may; from
         now on; from now to the end; the complete time
+    """,
+    Kind.OTHERWISE: """
+        otherwise; or else; if not; or otherwise; failing that; if that is not the case; if
+        this is not the case; in all other cases; in any other case; in the other case; if it
+        is not; if they are not; if it does not; if that is not so; and if not; but if not
     """,
     Kind.NO_OTHER: """
         at no other time; any other time; at any other time; nowhere else; no other time;
@@ -289,7 +308,8 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         not before and not after; not sooner and not later
     """,
     Kind.AGAIN_AND_AGAIN: """
-        forever; for ever; indefinitely; continually; infinite times; without ever
+        always eventually; eventually always again; forever; for ever; indefinitely; continually;
+        infinite times; without ever
         stopping; without end; at least once after at any point; infinitely; infinitely
         often; repeatedly; again and again; over and over; over and over again; an
         infinite number of times; infinitely many times; constantly; forever and ever;
@@ -298,10 +318,15 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         again; time after time; without cease; without ceasing; unceasingly; incessantly;
         for all time; in endless rounds; again and yet again; without letup; always anew;
         on and on; without pause; continuously; evermore; in perpetuity; ceaselessly;
-        tirelessly; until further notice; as often as possible; every so often; now and
+        tirelessly; persistently; periodically; consistently; recurrently; recurringly;
+        routinely; habitually; intermittently; at regular intervals; on a regular basis;
+        from time to time; every now and then; nonstop; until further notice; as often as
+        possible; every so often; now and
         again
     """,
     Kind.ALTERNATE: """
+        ~share your visits evenly between; ~share your visits between; ~share your time between;
+        ~split your visits between; ~divide your visits between;
         alternate; alternates; alternating; alternate between; alternates between;
         alternating between; ~take turns; ~take turns with; ~take turns at; ~take turns
         between; in turns; by turns; strictly in turns; strictly by turns; turn about;
@@ -314,6 +339,8 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
     Kind.ALREADY: "already; previously; ever before",
     Kind.ONLY: "only; solely; exclusively",
     Kind.AGAIN: """
+        ~repeat; ~repeat this; ~repeat that; ~repeat it; ~do it again; ~do that again;
+        ~do this again; ~do so again; ~do the same again;
         again; any more; anymore; a second time; ever again; once more; another time; one
         more time; one further time; afresh; anew; yet again; a further time; all over;
         once again; the same again; any further; further
@@ -327,15 +354,22 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         done; that is done; it has happened so; it is there; it has been done
     """,
     Kind.BOTH: """
+        the other one; the other two; the others; the remaining one; the remaining two;
         both; both of them; both of these; both of those; both the two; each of the two;
         each of them; each of these; all of them; all three; all four; all of these; all
         of those; the two; the two of them; the three of them; all three of them; the
         three; all five; each; the lot; the whole lot; them both; them all; every one of
         them; each one of them; each one; all
     """,
-    Kind.RELATIVE: "that; which; who; whose; what; how; why; whether; then to",
+    Kind.RELATIVE: "that; which; who; whose; what; how; why; whether",
     Kind.FILLER: """
-        make; bring; put; get; do; does; did; the; a; an; to; at; in; into; on; onto;
+        or do both if you like; or both; or do both; if you like; if you wish; if you want;
+        or even both; possibly; perhaps; preferably; ideally; hopefully; obviously; naturally;
+        at your earliest convenience; think about; think of; even think about; even think of;
+        dream of; even dream of; no matter which; whichever it is; subsequently to; in fact;
+        understood; got it; real quick; across;
+        make; bring; put; get; do; does; did; the; a; an;
+        to; at; in; into; on; onto;
         from; of; off; by; for; with; towards; toward; through; inside; near; up; down;
         over; back; around; just; simply; also; really; some; any; every; this; these;
         those; there; here; your; its; their; his; her; my; our; have; has; had; ok; okay;
@@ -359,6 +393,9 @@ PHRASES_OF_TIMING: dict[Kind, str] = {
         let us; happen; take; keep in mind; remember; note; note that; situation; case;
         cases; no more and no less; no more and no fewer; neither more nor less; neither
         more nor fewer; no more no less; just the one; no second one; give; gives;
+        completely; entirely; altogether; no more than that; and no more than that; that includes
+        you;
+        and that includes you; you included; including you; errand; errands; chore; chores;
         presence; attendance; appearance; destination; target; entrance; in between
     """,
 }  # fmt: skip

@@ -7,6 +7,7 @@ from dataclasses import replace
 from plainspoken.language.clause import Act, Operand
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.operand import OperandReader
+from plainspoken.language.reference import Form
 
 
 class Turns(OperandReader):
@@ -20,11 +21,28 @@ class Turns(OperandReader):
         if any(each.link is Kind.THEN for each in draft.operands):
             self._link = Kind.THEN  # "a, followed by b, which is to be followed by c"
             return
-        draft.connector, draft.modality = Kind.WHENEVER, None
+        draft.connector, draft.modality = Kind.AFTER, None
         flags, draft.flags = draft.flags, set()
         self._close(Kind.COMMA)
         self._draft.modality = Kind.MUST
         self._draft.flags = flags - {Kind.ALWAYS, Kind.BE}
+
+    def _bars(self) -> None:
+        """Once what was said so far has been, what follows may not be: "a closes b to you"."""
+        draft = self._draft
+        if draft.operands and draft.connector is None:
+            draft.connector, draft.modality = Kind.AFTER, None
+            self._close(Kind.COMMA)
+            self._draft.negations = 1
+            self._draft.flags.add(Kind.AFTER_THAT)
+
+    def _releases(self) -> None:
+        """What follows lasts until what was said so far: "a releases b"."""
+        draft = self._draft
+        if draft.operands and draft.connector is None:
+            draft.connector, draft.modality = Kind.UNTIL, None
+            self._close(Kind.COMMA)
+            self._draft.verb = Kind.STAY
 
     def _preceded(self) -> None:
         """What follows must come before what was said so far: "a must be preceded by b"."""
@@ -44,7 +62,35 @@ class Turns(OperandReader):
             if self._done[-1].act is Act.DO:
                 self._done[-1] = replace(self._done[-1], act=Act.AVOID)
         elif draft.connector in (Kind.WHEN, Kind.WHENEVER, Kind.AFTER, Kind.PROMPTLY):
-            draft.complete = True  # "once a is over"
+            if len(draft.operands) > 1 and draft.operands[-1].link is None:
+                self._split()  # "once you have been to a b is closed to you"
+                self._draft.negations = 1
+            else:
+                draft.complete = True  # "once a is over"
+
+    def _with_what_is_asked(self) -> None:
+        """Read "one full and the other empty?" as one condition."""
+        draft = self._draft
+        before = self._done[-1] if self._done else None
+        joined = draft.link is Kind.AND and before is not None and before.connector is None
+        if not joined or before is None or before.modality is not None or before.act is not Act.DO:
+            return
+        if all(each.reference.form is Form.FINITE for each in before.operands):
+            self._done.pop()
+            first, *rest = draft.operands
+            draft.operands = [*before.operands, replace(first, link=Kind.AND), *rest]
+            draft.link = before.link
+
+    def _otherwise(self) -> None:
+        """What follows is asked for where the condition before is not so; without one, it is or."""
+        clauses = (*self._done, *([self._draft.clause()] if self._draft.operands else ()))
+        if any(each.connector in (Kind.WHEN, Kind.WHENEVER, Kind.WHILE) for each in clauses):
+            if self._draft.operands:
+                self._close(Kind.STOP)
+            self._draft.flags.add(Kind.OTHERWISE)
+            self._link = None
+        elif self._draft.operands:
+            self._link = Kind.OR
 
     def _either_of(self) -> None:
         if self._draft.is_blank and self._link is not Kind.OR:

@@ -7,6 +7,8 @@ import unicodedata
 from dataclasses import dataclass
 from functools import cache
 
+from plainspoken.language.errand import Errand
+
 _NUMBER_WORDS = """
     zero one two three four five six seven eight nine ten eleven twelve thirteen
     fourteen fifteen sixteen seventeen eighteen nineteen twenty
@@ -23,11 +25,24 @@ ORDINALS = {
     )
 }
 
+_PARTICIPLES = {
+    "rung": "ring", "wound": "wind", "bound": "bind", "ground": "grind", "won": "win",
+    "shot": "shoot", "bent": "bend",
+}  # fmt: skip
+"""What the dictionary takes for words of their own only."""
 _PART = re.compile(r"[^\W\d_]+|\d+|[^\w\s]")
 _HYPHEN = re.compile(r"\w-\w")
 _LETTER = re.compile(r"[^\W\d_]", re.UNICODE)
+# What is typed in haste or written down by a recognizer lacks the apostrophe: "dont", "you ve".
+# Left out are those that are words of their own: "well", "were", "ill", "id", "shell".
 _CONTRACTION = re.compile(
-    r"\b(?P<will>wo)(?P<wont>n't)\b|\b(?P<can>can)(?P<cant>'t)\b|\b(?P<cannot>can)(?P<not>not)\b"
+    r"\b(?P<will>wo)(?P<wont>n[' ]?t)\b|\b(?P<can>can)(?P<cant>[' ]?t)\b"
+    r"|\b(?P<cannot>can) ?(?P<not>not)\b"
+    r"|\b(?P<aux>do|does|did|is|are|was|were|ha[sd]|have|would|could|should|must|need)"
+    r"(?P<bare>n ?t)\b"
+    r"|\b(?P<who>you|they|we|i)(?P<whos> ?ve|(?<=[uy]) ?(?:re|ll)|(?<=[uy])d)\b"
+    r"|\b(?P<what>that|there|what|let|here|it(?= s))(?P<whats> ?s)\b"
+    r"|\b(?P<it>it)(?P<its>s)(?= (?:a|an|the|not|never|no|been|ok|okay|fine|to|off|out)\b)"
     r"|(?P<nt>n't)\b|(?P<clitic>'(?:re|ve|ll|d|m|s))\b",
     re.IGNORECASE,
 )
@@ -41,12 +56,14 @@ class Word:
     text:  lower case, a contraction spelled out: "n't" is "not"
     start, end: characters of the utterance
     joined: whether it begins what is said of one more thing: "(the jar and) the can are sealed"
+    errand: what the words that it stands for tell, taken together
     """
 
     text: str
     start: int
     end: int
     joined: bool = False
+    errand: Errand | None = None
 
     @property
     def number(self) -> str:
@@ -65,7 +82,7 @@ class Word:
 
 def words(utterance: str) -> tuple[Word, ...]:
     """Split an utterance. Letters and digits run together are parted: "site2" is "site", "2"."""
-    text = utterance.replace("\u2019", "'").replace("\u2018", "'")
+    text = re.sub("[\u2019\u2018\u02bc\u00b4`]", "'", utterance)
     found: list[Word] = []
     position = 0
     for match in _CONTRACTION.finditer(text):
@@ -87,13 +104,16 @@ def _spelled_out(match: re.Match[str]) -> list[Word]:
     found = []
     for group, text in (
         ("will", "will"), ("wont", "not"), ("can", "can"), ("cant", "not"),
-        ("cannot", "can"), ("not", "not"), ("nt", "not"),
+        ("cannot", "can"), ("not", "not"), ("aux", None), ("bare", "not"), ("nt", "not"),
+        ("who", None), ("what", None), ("it", "it"),
     ):  # fmt: skip
         if match[group]:
-            found.append(Word(text, match.start(group), match.end(group)))
-    if match["clitic"]:
-        full = _CLITICS[match["clitic"].lower()]
-        found.append(Word(full, match.start("clitic"), match.end("clitic")))
+            said = text or match[group].lower()
+            found.append(Word(said, match.start(group), match.end(group)))
+    for group in ("whos", "whats", "its", "clitic"):
+        if match[group]:
+            full = _CLITICS["'" + match[group].lower().strip(" '")]
+            found.append(Word(full, match.start(group), match.end(group)))
     return found
 
 
@@ -120,6 +140,8 @@ def stems(text: str) -> frozenset[str]:
     import simplemma  # noqa: PLC0415
 
     found.add(simplemma.lemmatize(text, lang="en").lower())
+    if text in _PARTICIPLES:
+        found.add(_PARTICIPLES[text])
     if text.endswith("ves"):
         # "leaves" of a tree, and "shelves": the dictionary takes them for verbs.
         found |= {text[:-3] + end for end in ("f", "fe") if is_known(text[:-3] + end)}
