@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -17,6 +18,8 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.goal import no_formula
 from plainspoken.cli.site import chosen_site, site_options
 from plainspoken.cli.translator import chosen_translator, translator_options
+from plainspoken.language.dialogue import Dialogue
+from plainspoken.language.example import Examples, examples
 from plainspoken.language.extraction import Extraction, Status
 from plainspoken.language.grounding import Vocabulary
 from plainspoken.logic.syntax import unparse
@@ -30,6 +33,7 @@ from plainspoken.world.landmark import read_landmarks
 @translator_options
 @click.option("--explain", is_flag=True, help="Show every stage.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.option("--no-input", is_flag=True, help="Print a question, and do not wait for the answer.")
 def extract(
     *,
     sentence: str | None,
@@ -40,11 +44,14 @@ def extract(
     out: Path | None,
     explain: bool,
     as_json: bool,
+    no_input: bool,
 ) -> None:
     """Turn SENTENCE into an LTLf formula over the landmarks.
 
     A sentence that cannot be grounded is refused with the words that were not understood
-    (exit status 3); an ambiguous one is asked back. A landmarks file alone is enough.
+    (exit status 3); an ambiguous one is asked back: at a terminal, type the letter or the words of
+    an answer, or nothing to leave it open. Short examples of what the formula accepts and what it
+    does not go with it. A landmarks file alone is enough.
 
     \b
     plainspoken extract "Never enter line 3 while the box is full" --explain
@@ -64,19 +71,57 @@ def extract(
         sentence = sys.stdin.read().strip()
     with chosen_translator() as translate:
         extraction = translate(sentence, vocabulary)
+        if sys.stdin.isatty() and not (as_json or no_input):
+            extraction = answered(Dialogue(vocabulary, translate=translate), extraction)
     if as_json:
-        click.echo(json.dumps(extraction.to_json(), indent=2, ensure_ascii=False))
+        document = extraction.to_json() | {"examples": shown(extraction, vocabulary).to_json()}
+        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
     elif explain:
         explained(extraction, vocabulary, Console())
     elif extraction.reading is not None and extraction.status is Status.OK:
         click.echo(unparse(extraction.reading.formula))
         click.echo(extraction.reading.english, err=True)
+        by_example = shown(extraction, vocabulary).english
+        if by_example:
+            click.echo(by_example, err=True)
         if extraction.note:
             click.echo(f"note: {extraction.note}", err=True)
     else:
         click.echo(f"plainspoken: {no_formula(extraction)}", err=True)
     if extraction.status is Status.REJECT:
         sys.exit(NO)
+
+
+def answered(dialogue: Dialogue, extraction: Extraction) -> Extraction:
+    """Ask the person at the terminal until no question is open, or they leave it open."""
+    dialogue = replace(dialogue, asked=extraction)
+    while extraction.status is Status.CLARIFY:
+        click.echo(f"plainspoken: {extraction.question}", err=True)
+        # Letters: what there is to choose from may itself be called by a number.
+        for letter, each in zip("abcdef", extraction.alternatives, strict=False):
+            said = f"{each.answer}: {each.english}" if each.answer else each.english
+            click.echo(f"  {letter}  {said}", err=True)
+        try:
+            answer = click.prompt("", prompt_suffix="> ", default="", show_default=False, err=True)
+        except click.Abort:
+            answer = ""
+        if not answer.strip():
+            break
+        turn = dialogue.say(answer)
+        if turn.extraction.status is Status.REJECT:
+            if turn.dialogue.asked is None:
+                return turn.extraction
+            click.echo(f"plainspoken: {turn.said}", err=True)
+            continue
+        dialogue, extraction = turn.dialogue, turn.extraction
+    return extraction
+
+
+def shown(extraction: Extraction, vocabulary: Vocabulary) -> Examples:
+    """The examples of an accepted formula; none of what is still a question."""
+    if extraction.formula is None:
+        return Examples()
+    return examples(extraction.formula, vocabulary.landmarks)
 
 
 def _vocabulary(domain: Path | None, problem: Path | None, landmarks: Path | None) -> Vocabulary:
@@ -109,6 +154,9 @@ def explained(extraction: Extraction, vocabulary: Vocabulary, console: Console) 
     formulas.add_row("executable", Text(unparse(extraction.reading.formula), style="bold"))
     console.print(Panel(formulas, title="3  formula", title_align="left"))
     said = Text(extraction.reading.english)
+    by_example = shown(extraction, vocabulary).english
+    if by_example:
+        said.append(f"\n{by_example}", style="dim")
     if extraction.note:
         said.append(f"\n{extraction.note}", style="yellow")
     console.print(Panel(said, title="4  said back", title_align="left"))
