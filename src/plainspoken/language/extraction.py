@@ -25,6 +25,7 @@ from plainspoken.language.paraphrase import asked_whether, paraphrases
 from plainspoken.language.reference import Reference
 from plainspoken.language.refusal import (
     LONGEST,
+    broken_off,
     idle,
     not_understood,
     unfinished,
@@ -64,7 +65,7 @@ def _extraction(utterance: str, vocabulary: Vocabulary) -> Extraction:
     sentence = sentence.parsed()
     meaning = sentence.meaning()
     # A remark is no mission even where the rest is one: it may have been meant as a condition.
-    reason = idle(meaning, utterance) or unfinished(sentence.clauses)
+    reason = idle(meaning, utterance) or unfinished(sentence.clauses) or broken_off(utterance)
     if reason is not None:
         return _rejected(sentence, reason)
     try:

@@ -17,6 +17,7 @@ from itertools import pairwise
 from plainspoken.language.frame import ARTICLES, Frames, Thing, aliased
 from plainspoken.language.handling import Handling
 from plainspoken.language.kinship import alike, nouns, opposites, verbs_of
+from plainspoken.language.own_name import own_name
 from plainspoken.language.word import Word, stems, words
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
 from plainspoken.world.symbol import SymbolId
@@ -139,6 +140,11 @@ class Vocabulary:
             ),
             frames,
         )
+
+    @cached_property
+    def own_name(self) -> str | None:
+        """The name of the robot that is spoken to, where the ids of its places tell it."""
+        return own_name(self.landmarks)
 
     @cached_property
     def by_stem(self) -> Mapping[str, tuple[Expression, ...]]:

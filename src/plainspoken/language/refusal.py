@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from plainspoken.language.clause import Act, Clause
@@ -9,6 +10,8 @@ from plainspoken.language.extracted import listed
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.sentence import Meaning, Sentence
 from plainspoken.language.word import is_known, words
+
+_JOINING = re.compile(r"\b((?:and|or|but)(?:\s+then)?)\W*$", re.IGNORECASE)
 
 LONGEST = 2000
 """Characters of an utterance; nobody says more in one breath."""
@@ -106,6 +109,14 @@ def idle(meaning: Meaning, utterance: str) -> str | None:
         "I found what you speak of, but not what to do about it. "
         "Say for example to visit, avoid, or wait."
     )
+
+
+def broken_off(utterance: str) -> str | None:
+    """Why an utterance is not whole: it stops at a word that joins something to it."""
+    last = _JOINING.search(utterance)
+    if last is None:
+        return None
+    return f'I do not hear what comes after "{last[1]}". Say the sentence to its end.'
 
 
 def unfinished(parsed: Sequence[Clause]) -> str | None:

@@ -19,6 +19,7 @@ from plainspoken.language.extracted import (
 from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.item import Item, items
 from plainspoken.language.lifting import lifted
+from plainspoken.language.own_name import addressed
 from plainspoken.language.reading import clauses
 from plainspoken.language.reference import Reference
 from plainspoken.language.word import Word, words
@@ -60,7 +61,7 @@ class Sentence:
     @classmethod
     def of(cls, utterance: str, vocabulary: Vocabulary) -> Sentence:
         """Find what an utterance speaks of; the clauses come with `parsed`."""
-        said, found = resolved(words(utterance), vocabulary)
+        said, found = resolved(addressed(words(utterance), vocabulary.own_name), vocabulary)
         shaped = without_colour(items(said, found), said)
         meant = {item.first for item in shaped if item.reference is not None}
         # "never enter one room before the one listed before it" asks for no room by name

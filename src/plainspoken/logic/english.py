@@ -300,6 +300,9 @@ class _Speaker:
         match pattern:
             case InstantaneousReaction(a, Not(b)) if self._type(b) in ("location", "action"):
                 return f"never {self._do(b)} while {trigger}"
+            case InstantaneousReaction(a, b) if self._type(a) == self._type(b) == "location":
+                # "visit a only if you are at b" would be taken for an order of the two
+                return f"never {self._do(a)} while {self._that(Not(b))}"
             case InstantaneousReaction(a, b) if self._type(a) in ("location", "action"):
                 return f"{self._do(a)} only if {self._that(b)}"
             case InstantaneousReaction(_, b):
