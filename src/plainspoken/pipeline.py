@@ -13,6 +13,7 @@ arguments; nothing here knows a vendor.
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from plainspoken.language.grounding import Vocabulary
     from plainspoken.mission.mission import Mission, MissionId
     from plainspoken.mission.robot import Robot
-    from plainspoken.mission.run import Record, Replanner, Requests
+    from plainspoken.mission.run import Patience, Record, Replanner, Requests
 
 
 @dataclass(frozen=True)
@@ -153,8 +154,14 @@ def carry_out(
     record: Record,
     *,
     requests: Requests = lambda: None,
+    patience: Patience | None = None,
+    clock: Callable[[], float] = time.monotonic,
+    sleep: Callable[[float], None] = time.sleep,
 ) -> Generator[Entry, None, Mission]:
-    """Carry a mission out; gives each entry of its log once it is stored."""
+    """Carry a mission out; gives each entry of its log once it is stored.
+
+    patience, clock, sleep: see `mission.run.run_mission`
+    """
     from plainspoken.mission.executive import accept
     from plainspoken.mission.request import acceptance
     from plainspoken.mission.run import run_mission
@@ -171,7 +178,16 @@ def carry_out(
         robot=request.robot,
     )
     start = accept(accepted, policy)
-    return run_mission(start, robot, record, replanner(site), requests=requests)
+    return run_mission(
+        start,
+        robot,
+        record,
+        replanner(site),
+        requests=requests,
+        patience=patience,
+        clock=clock,
+        sleep=sleep,
+    )
 
 
 def go_on(
