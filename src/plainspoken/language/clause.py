@@ -85,7 +85,7 @@ CONNECTORS = frozenset(
 
 def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
     """Attach each subordinate clause to the main clause that it stands beside."""
-    found = _nested(found)
+    found = _nested([stage for clause in found for stage in _stages(clause)])
     made: list[Statement] = []
     waiting: list[Clause] = []
     preposed = False
@@ -122,6 +122,31 @@ def statements(found: Sequence[Clause]) -> tuple[Statement, ...]:
 
 
 _REACTIVE = (Kind.WHEN, Kind.WHENEVER, Kind.PROMPTLY)
+
+
+def _stages(clause: Clause) -> tuple[Clause, ...]:
+    """Read "a or b, then c" as two clauses: the choice is made before, or after, what follows."""
+    links = [operand.link for operand in clause.operands]
+    if clause.connector is not None or clause.act is not Act.DO or clause.counts or not (
+        Kind.OR in links and Kind.THEN in links[1:]
+    ):  # fmt: skip
+        return (clause,)
+    starts = [0, *(place for place, link in enumerate(links) if place and link is Kind.THEN)]
+    first, *rest = (
+        replace(clause, operands=clause.operands[start:end])
+        for start, end in zip(starts, [*starts[1:], None], strict=True)
+    )
+    return (
+        first,
+        *(
+            replace(
+                each,
+                link=Kind.THEN,
+                operands=(replace(each.operands[0], link=None), *each.operands[1:]),
+            )
+            for each in rest
+        ),
+    )
 
 
 def _nested(found: Sequence[Clause]) -> Sequence[Clause]:

@@ -359,8 +359,10 @@ class MainClauses:
         flags = main.flags
         self._spoken += parts
         if any(operand.link is Kind.OR for operand in main.operands):
-            self._route.add(Visit((disjunction(*parts),)))
-            return
+            parts = [disjunction(*parts)]
+            if not self._continues(main):
+                self._route.add(Visit(tuple(parts)))
+                return
         then = any(operand.link in (Kind.THEN, Kind.ONLY_THEN) for operand in main.operands)
         ordered = Kind.IN_ORDER in flags or any(
             operand.link is Kind.ONLY_THEN for operand in main.operands
@@ -378,6 +380,10 @@ class MainClauses:
             return
         last = self._route.patterns[-1] if self._route.patterns else None
         if linked and self._route.chain is None and isinstance(last, Visit):
+            if len(last.places) == 1:
+                self._route.patterns.pop()
+                self._route.begin(Chain([*last.places, *parts]))
+                return
             # "a and b, then c": c after each of them.
             self._route.patterns[-1:] = [Chain([place, *parts]) for place in last.places]
             return
