@@ -45,9 +45,10 @@ def rows_of(folder: Path) -> Iterator[tuple[dict[str, float], str, bool]]:
     from plainspoken.evaluation.corpus import read_corpus
     from plainspoken.language.confidence import features
     from plainspoken.language.contradiction import contradiction
+    from plainspoken.language.extracted import literal_of
     from plainspoken.language.grounding import Vocabulary
     from plainspoken.language.refusal import idle, not_understood, unfinished
-    from plainspoken.language.sentence import Sentence, reading_of
+    from plainspoken.language.sentence import Sentence
     from plainspoken.world.landmark import read_landmarks
 
     named = folder / "landmarks.json"
@@ -65,9 +66,8 @@ def rows_of(folder: Path) -> Iterator[tuple[dict[str, float], str, bool]]:
         refused = idle(meaning, row.utterance) or unfinished(sentence.clauses)
         if refused or contradiction(sentence, meaning):
             continue
-        reading = reading_of(meaning.patterns, vocabulary, meaning.score)
-        right = equivalent(reading.literal, row.literal)
-        yield dict(features(sentence, meaning, reading)), row.utterance, right
+        right = equivalent(literal_of(meaning.patterns), row.literal)
+        yield dict(features(sentence, meaning)), row.utterance, right
 
 
 def fitted(rows: Sequence[Row]) -> tuple[float, ...]:

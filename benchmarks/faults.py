@@ -16,6 +16,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
 from plainspoken.knowledge.facts import facts_after
 from plainspoken.logic.formula import Formula, atoms
@@ -68,9 +69,7 @@ def run(site: Site, goal: Formula, policy: Policy, faults: tuple[Fault, ...], se
         robot,
         record,
         replanner(site),
-        patience=PATIENCE,
-        clock=lambda: robot.elapsed,
-        sleep=robot.sleep,
+        patience=replace(PATIENCE, clock=lambda: robot.elapsed, sleep=robot.sleep),
     )
     began = time.monotonic()
     for _ in going:

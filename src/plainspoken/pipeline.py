@@ -13,7 +13,6 @@ arguments; nothing here knows a vendor.
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -155,13 +154,8 @@ def carry_out(
     *,
     requests: Requests = lambda: None,
     patience: Patience | None = None,
-    clock: Callable[[], float] = time.monotonic,
-    sleep: Callable[[float], None] = time.sleep,
 ) -> Generator[Entry, None, Mission]:
-    """Carry a mission out; gives each entry of its log once it is stored.
-
-    patience, clock, sleep: see `mission.run.run_mission`
-    """
+    """Carry a mission out; gives each entry of its log once it is stored."""
     from plainspoken.mission.executive import accept
     from plainspoken.mission.request import acceptance
     from plainspoken.mission.run import run_mission
@@ -178,16 +172,7 @@ def carry_out(
         robot=request.robot,
     )
     start = accept(accepted, policy)
-    return run_mission(
-        start,
-        robot,
-        record,
-        replanner(site),
-        requests=requests,
-        patience=patience,
-        clock=clock,
-        sleep=sleep,
-    )
+    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
 
 
 def go_on(
@@ -198,6 +183,7 @@ def go_on(
     *,
     by: str,
     requests: Requests = lambda: None,
+    patience: Patience | None = None,
 ) -> Generator[Entry, None, Mission]:
     """Go on with a mission that was paused or killed, from its log alone."""
     from plainspoken.mission.executive import advance
@@ -206,7 +192,18 @@ def go_on(
     from plainspoken.mission.run import run_mission
 
     start = advance(mission_from(entries), ResumeAsked(by))
-    return run_mission(start, robot, record, replanner(site), requests=requests)
+    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+
+
+def accepted_of(entries: Sequence[Entry]) -> MissionAccepted:
+    """What a mission's log begins with.
+
+    raises PlainspokenError: when it begins with something else, or is empty
+    """
+    first = entries[0].event if entries else None
+    if not isinstance(first, MissionAccepted):
+        raise PlainspokenError("a log begins with mission_accepted")
+    return first
 
 
 def site_of(accepted: MissionAccepted) -> Site:

@@ -1,4 +1,5 @@
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -39,8 +40,8 @@ def ran(robot: FaultyRobot) -> tuple[Mission, list[Entry]]:
         return new
 
     start = accept(accepted(GOAL), POLICY, Limits(revisits=50))
-    clock = {"clock": lambda: robot.elapsed, "sleep": robot.sleep}
-    run = run_mission(start, robot, record, replanned, patience=PATIENCE, **clock)
+    patience = replace(PATIENCE, clock=lambda: robot.elapsed, sleep=robot.sleep)
+    run = run_mission(start, robot, record, replanned, patience=patience)
     ended: list[Mission] = []
 
     def to_the_end() -> Iterator[Entry]:

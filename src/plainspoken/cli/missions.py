@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -15,15 +15,14 @@ from rich.table import Table
 from plainspoken.cli.exit import NO
 from plainspoken.cli.record import entries_of, fresh_file, recorder, utc_now
 from plainspoken.cli.run import ended, shown
+from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.log import SqliteLog, store_path
 from plainspoken.mission.mission import mission_from
-from plainspoken.mission.simulator import Simulator, steering_from
-from plainspoken.pipeline import go_on, site_of
-from plainspoken.world.domain import GroundAction, State
-from plainspoken.world.event import ActionFinished, Entry, MissionAccepted
+from plainspoken.pipeline import accepted_of, go_on, site_of
+from plainspoken.world.event import Entry
 
 _store = click.option(
     "--store", metavar="URL", help="Where missions are kept: sqlite:///PATH or PATH."
@@ -52,7 +51,7 @@ def missions(context: click.Context, store: str | None, *, as_json: bool) -> Non
 
 
 def _summary(entries: Sequence[Entry]) -> dict[str, Any]:
-    mission, accepted = mission_from(entries), _accepted(entries)
+    mission, accepted = mission_from(entries), accepted_of(entries)
     return {
         "mission": mission.id,
         "status": str(mission.status),
@@ -70,33 +69,16 @@ def _summary(entries: Sequence[Entry]) -> dict[str, Any]:
 def resume(id: str, store: str | None, pace: float, *, as_json: bool) -> None:
     """Go on with the mission ID, which was paused or killed."""
     entries = entries_of(id, store)
-    accepted = _accepted(entries)
+    accepted = accepted_of(entries)
     if mission_from(entries).is_over:
         raise PlainspokenError(f"the mission {id} is over", hint="`plainspoken ask` tells of it")
     site = site_of(accepted)
-    history = list(_history(entries))
-    simulator = Simulator(
-        site.problem,
-        seed=accepted.robot.get("seed", 0),
-        steering=[steering_from(text, site.problem) for text in accepted.robot.get("steering", ())],
-        state=mission_from(entries).world,
-        history=history,
-        pace=pace,
-    )
+    simulator, patience = simulated(site, Settings.of(accepted.robot), pace=pace, entries=entries)
     with SqliteLog(store_path(store)) as kept:
         record = recorder(kept, id, None, utc_now)
-        events = go_on(site, entries, simulator, record, by="command line")
+        events = go_on(site, entries, simulator, record, by="command line", patience=patience)
         mission = shown(events, site, as_json=as_json)
     ended(mission)
-
-
-def _history(entries: Sequence[Entry]) -> Iterator[tuple[State, GroundAction]]:
-    """The actions that were carried out, each with the state it was done in."""
-    before: State = frozenset()
-    for entry in entries:
-        if isinstance(entry.event, ActionFinished):
-            yield before, entry.event.action
-        before = getattr(entry.event, "state", before)
 
 
 @missions.command()
@@ -115,9 +97,3 @@ def log(id: str, store: str | None, out: Path, *, overwrite: bool) -> None:
             click.echo(f"plainspoken: step {broken.step}: {broken.what}", err=True)
             raise SystemExit(NO)
         write_jsonl(kept.links(id), out)
-
-
-def _accepted(entries: Sequence[Entry]) -> MissionAccepted:
-    first = entries[0].event
-    assert isinstance(first, MissionAccepted)  # noqa: S101 - mission_from has checked it
-    return first

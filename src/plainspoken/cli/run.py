@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
 
 import click
 from rich.console import Console
@@ -16,21 +15,17 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, recorder, utc_now
+from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.knowledge.log import SqliteLog, store_path
-from plainspoken.mission.fault import Fault, FaultyRobot, fault_from
 from plainspoken.mission.mission import Mission, Status
-from plainspoken.mission.run import Patience, Record
-from plainspoken.mission.simulator import Simulator, steering_from
 from plainspoken.pipeline import Request, Site, carry_out, find_policy, why_not
-from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.world.event import Entry
 
-PATIENT_SECONDS = 60.0
 Run = Generator[Entry, None, Mission]
 
 
@@ -111,8 +106,8 @@ def run(
     del robot  # the simulator is the only one there is
     site: Site = chosen_site(domain, problem, landmarks)
     formula, _ = chosen_goal(goal, say, site)
-    wishes = [steering_from(text, site.problem) for text in steer]
-    struck = tuple(fault_from(text) for text in faults)
+    settings = Settings(seed, steer, faults, action_timeout)
+    simulator, patience = simulated(site, settings, pace=pace)
     if log is not None:
         fresh_file(log, overwrite=overwrite)
     with progress_shown() as on_progress:
@@ -120,47 +115,14 @@ def run(
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    steering = [str(wish) for wish in wishes]
-    simulated: dict[str, Any] = {"robot": "simulator", "seed": seed, "steering": steering}
-    if struck:
-        simulated["faults"] = [f"{each.kind}:{each.chance}" for each in struck]
-    request = Request(new_mission_id(utc_now), formula, say, simulated)
-    simulator = Simulator(site.problem, seed=seed, steering=wishes, pace=pace)
-    carried_out_by = _struck(simulator, site, request, struck, action_timeout)
+    request = Request(new_mission_id(utc_now), formula, say, settings.to_json())
     with ExitStack() as stack:
         kept = stack.enter_context(SqliteLog(store_path(store)))
         file = stack.enter_context(JsonlWriter(log)) if log is not None else None
         record = recorder(kept, request.mission, file, utc_now)
-        events = carried_out_by(ending.policy, record)
+        events = carry_out(site, request, ending.policy, simulator, record, patience=patience)
         mission = shown(events, site, as_json=as_json)
     ended(mission)
-
-
-def _struck(
-    simulator: Simulator,
-    site: Site,
-    request: Request,
-    faults: tuple[Fault, ...],
-    limit: float | None,
-) -> Callable[[Policy, Record], Run]:
-    """Carries the mission out; a robot that faults strike is timed by its own, simulated clock."""
-    if not faults:
-        patience = Patience(action=lambda _: limit)
-        return lambda policy, record: carry_out(
-            site, request, policy, simulator, record, patience=patience
-        )
-    robot = FaultyRobot(site.problem, simulator, faults, seed=int(request.robot["seed"]))
-    patience = Patience(action=lambda _: limit or PATIENT_SECONDS)
-    return lambda policy, record: carry_out(
-        site,
-        request,
-        policy,
-        robot,
-        record,
-        patience=patience,
-        clock=lambda: robot.elapsed,
-        sleep=robot.sleep,
-    )
 
 
 def shown(events: Run, site: Site, *, as_json: bool) -> Mission:

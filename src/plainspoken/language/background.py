@@ -43,7 +43,7 @@ _JOINTS = frozenset((Kind.COMMA, Kind.STOP, Kind.THEN, Kind.AND, Kind.BUT, Kind.
 _ROUNDS = frozenset((Kind.PATROL, Kind.ALTERNATE, Kind.AGAIN_AND_AGAIN))
 _OPERATING = frozenset(
     ("operate", "run", "running", "work", "working", "live", "lasts", "last", "active", "operating",
-     "powered", "duty", "function", "continue", "continues", "exist", "battery", "shift")
+     "powered", "duty", "function", "continue", "continues", "exist", "shift")
 )  # fmt: skip
 _MISSION_WORDS = """
     mission task tasks job jobs assignment goal goals everything errand errands plan run tour

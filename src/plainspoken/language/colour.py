@@ -57,6 +57,8 @@ _TOWARDS = frozenset(
 )  # fmt: skip
 _PARTICLES = frozenset(("down", "up", "out", "off", "back", "away", "about", "ahead", "way",
                         "your", "its", "round", "over", "along", "yourself", "on"))  # fmt: skip
+_STATIC = frozenset(("in", "at", "on", "inside", "near", "for"))
+"""Where something is done, not where it leads to: "juggle in the yard"."""
 _JOINTS = frozenset((Kind.COMMA, Kind.STOP))
 _STARTS = frozenset(
     (Kind.COMMA, Kind.STOP, Kind.AND, Kind.OR, Kind.BUT, Kind.THEN, Kind.ONLY_THEN, Kind.MUST,
@@ -108,7 +110,8 @@ def _motion(made: list[Item]) -> None:
                 led = made[after].text
             after += 1
         place = after < len(made) and made[after].form is Form.NOUN
-        if place and led and (led not in _PARTICLES or led in ("round", "over", "along", "on")):
+        leads = led not in _PARTICLES | _STATIC or led in ("round", "over", "along")
+        if place and led and leads:
             form = Form.GERUND if item.text.endswith("ing") else Form.BASE
             made[index] = replace(item, kind=Kind.GO, form=form)
             for place_ in range(index + 1, after):

@@ -9,17 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from itertools import pairwise
 
-from plainspoken.automata.equivalence import equivalent
-from plainspoken.errors import FormulaTooLargeError
 from plainspoken.language.clause import statements
-from plainspoken.language.extracted import Reading, executable_of
-from plainspoken.language.item import Item
-from plainspoken.language.lexicon import PHRASES, Kind
-from plainspoken.language.refusal import not_understood, unfinished
+from plainspoken.language.lexicon import Kind
 from plainspoken.language.sentence import Meaning, Sentence
-from plainspoken.language.word import stems
 from plainspoken.logic.formula import And, Formula, atoms
 from plainspoken.logic.pattern import (
     BoundDelay,
@@ -39,33 +32,28 @@ from plainspoken.world.landmark import LandmarkType
 LEAST_CONFIDENT = 0.35
 """What is less likely than this is asked about before it is accepted."""
 
-_STATIC = frozenset(("in", "at", "on", "inside", "near", "for"))
-"""Where something is, not where it goes."""
-
 Features = Mapping[str, float]
 
 WEIGHTS: Features = {
-    "bias": 5.445,
-    "weakest": -0.327,
-    "inexact": -0.523,
-    "skipped": -0.628,
-    "words": -0.581,
-    "clauses": -0.434,
-    "patterns": -0.598,
-    "empty": -0.2,
-    "pointing": -0.332,
-    "dropped": 0.0,
-    "changed": 0.102,
+    "bias": 5.402,
+    "weakest": -0.328,
+    "inexact": -0.515,
+    "skipped": -0.544,
+    "words": -0.617,
+    "clauses": -0.384,
+    "patterns": -0.603,
+    "empty": -0.222,
+    "pointing": -0.043,
     "together": -0.943,
-    "marked": -0.282,
-    "joints": 0.613,
-    "heaped": -0.36,
-    "denied": 0.483,
-    "either": -0.443,
-    "pieces": 0.081,
-    "counted": 0.159,
-    "allowed": -0.903,
-    "senseless": -1.09,
+    "marked": -0.281,
+    "joints": 0.558,
+    "heaped": -0.34,
+    "denied": 0.44,
+    "either": -0.15,
+    "pieces": 0.103,
+    "counted": 0.149,
+    "allowed": -0.913,
+    "senseless": -1.06,
 }
 
 
@@ -75,8 +63,8 @@ def confidence(found: Features) -> float:
     return round(1 / (1 + math.exp(-total)), 3)
 
 
-def features(sentence: Sentence, meaning: Meaning, reading: Reading) -> Features:
-    """What a sentence and its reading give away about how sure the reading is.
+def features(sentence: Sentence, meaning: Meaning) -> Features:
+    """What a sentence and its meaning give away about how sure that is.
 
     weakest:  how far the worst reference is from the landmark's own words
     inexact:  references that are not in the landmark's own words
@@ -84,15 +72,12 @@ def features(sentence: Sentence, meaning: Meaning, reading: Reading) -> Features
     words, clauses, patterns: how much there was to get wrong
     empty:    clauses that name nothing
     pointing: references that stand for a pronoun or for what was left out
-    dropped:  symbols that were spoken of and are not in the formula
-    changed:  whether the English of the reading reads in again as something else
     together: places that are to be reached at one instant
     marked:   what was said of time and order
     joints:   clauses that belong to another one; heaped: two of them to the same
     denied, either, pieces, counted, allowed: "not", "or", commas, numbers of times, "may"
     senseless: a pattern that relates a thing to itself
     """
-    spoken = {each.symbol for each in sentence.references}
     skipped = sum(item.last - item.first for item in sentence.items if item.kind is Kind.FILLER)
     kinds = [item.kind for item in sentence.items]
     flags = frozenset[Kind]().union(*(each.flags for each in sentence.clauses))
@@ -106,8 +91,6 @@ def features(sentence: Sentence, meaning: Meaning, reading: Reading) -> Features
         "patterns": float(min(len(meaning.patterns), 6)),
         "empty": float(min(sum(not each.operands for each in sentence.clauses), 3)),
         "pointing": float(min(sum(item.filled for item in sentence.items), 3)),
-        "dropped": float(min(len(spoken - atoms(reading.formula)), 2)),
-        "changed": float(not reads_back(reading, sentence)),
         "together": float(any(_joins_places(each, sentence) for each in _goals(meaning))),
         "marked": float(min(len(flags), 4)),
         "joints": float(min(sum(each.connector is not None for each in sentence.clauses), 4)),
@@ -121,33 +104,6 @@ def features(sentence: Sentence, meaning: Meaning, reading: Reading) -> Features
     }
 
 
-def is_doubtful(sentence: Sentence, meaning: Meaning) -> bool:
-    """Whether a reading is to be confirmed, however likely the rest makes it.
-
-    That is where a pattern relates a thing to itself, or where a verb that the lexicon does not
-    know was passed over for a place where something is to be done: "juggle in the yard".
-    """
-    if any(map(is_senseless, meaning.patterns)):
-        return True
-    found = sentence.items
-    return any(
-        _is_guessed(verb)
-        and behind.text in _STATIC
-        and not (place and found[place - 1].text == "no")  # "you have no business in there"
-        for place, (verb, behind) in enumerate(pairwise(found))
-    )
-
-
-def _is_guessed(verb: Item) -> bool:
-    return (
-        verb.kind is Kind.GO
-        and " " not in verb.text
-        and not any(
-            len(words) == 1 for stem in stems(verb.text) for words, _ in PHRASES.get(stem, ())
-        )
-    )
-
-
 def is_senseless(pattern: Pattern) -> bool:
     """Whether a pattern relates a thing to itself: "not a until a"."""
     match pattern:
@@ -159,23 +115,6 @@ def is_senseless(pattern: Pattern) -> bool:
             return a == b
         case _:
             return False
-
-
-def reads_back(reading: Reading, sentence: Sentence) -> bool:
-    """Whether the English of a reading is read in again as the same formula."""
-    again = Sentence.of(reading.english, sentence.vocabulary)
-    if not_understood(again) is not None:
-        return False
-    again = again.parsed()
-    if unfinished(again.clauses) is not None:
-        return False
-    patterns = again.meaning().patterns
-    if patterns == reading.patterns:
-        return True
-    try:
-        return bool(patterns) and equivalent(executable_of(patterns), reading.formula)
-    except FormulaTooLargeError:
-        return False
 
 
 def _goals(meaning: Meaning) -> list[Formula]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from plainspoken.errors import FormulaTooLargeError
 from plainspoken.language.ambiguity import Ambiguity, ambiguity
-from plainspoken.language.confidence import LEAST_CONFIDENT, confidence, features, is_doubtful
+from plainspoken.language.confidence import LEAST_CONFIDENT, confidence, features, is_senseless
 from plainspoken.language.contradiction import contradiction, in_two_places
 from plainspoken.language.extracted import (
     Extraction,
@@ -48,23 +48,25 @@ MOST_ALTERNATIVES = 4
 def extract(utterance: str, vocabulary: Vocabulary) -> Extraction:
     """Translate an utterance. Never raises for what a person may say."""
     started = time.perf_counter()
-    found = _extraction(utterance, vocabulary)
-    if found.status is not Status.OK:
-        found = _otherwise_said(found, vocabulary) or found
+    reason = unspeakable(utterance)
+    if reason is not None:
+        found = Extraction(utterance, Status.REJECT, reason=reason)
+    else:
+        sentence = Sentence.of(utterance, vocabulary)
+        found = _extraction(sentence)
+        if found.status is not Status.OK:
+            found = _otherwise_said(sentence, found) or found
     return replace(found, seconds=round(time.perf_counter() - started, 6))
 
 
-def _extraction(utterance: str, vocabulary: Vocabulary) -> Extraction:
-    reason = unspeakable(utterance)
-    if reason is not None:
-        return Extraction(utterance, Status.REJECT, reason=reason)
-    sentence = Sentence.of(utterance, vocabulary)
+def _extraction(sentence: Sentence) -> Extraction:
     reason = not_understood(sentence)
     if reason is not None:
         return _rejected(sentence, reason)
     sentence = sentence.parsed()
     meaning = sentence.meaning()
     # A remark is no mission even where the rest is one: it may have been meant as a condition.
+    utterance = sentence.utterance
     reason = idle(meaning, utterance) or unfinished(sentence.clauses) or broken_off(utterance)
     if reason is not None:
         return _rejected(sentence, reason)
@@ -96,8 +98,8 @@ def _translated(sentence: Sentence, meaning: Meaning) -> Extraction:
     doubt = ambiguity(sentence, meaning)
     if doubt is not None:
         return _which_structure(sentence, meaning, doubt)
-    sure = confidence(features(sentence, meaning, reading))
-    if sure < LEAST_CONFIDENT or is_doubtful(sentence, meaning):
+    sure = confidence(features(sentence, meaning))
+    if sure < LEAST_CONFIDENT or any(map(is_senseless, meaning.patterns)):
         return _is_it_this(sentence, meaning, reading, sure)
     return replace(_understood(sentence, meaning, Status.OK, reading), confidence=sure)
 
@@ -127,11 +129,9 @@ def _understood(
     )
 
 
-def _otherwise_said(found: Extraction, vocabulary: Vocabulary) -> Extraction | None:
+def _otherwise_said(sentence: Sentence, found: Extraction) -> Extraction | None:
     """A question whether something was heard wrong, or is called otherwise in the domain."""
-    if unspeakable(found.utterance) is not None:
-        return None
-    sentence = Sentence.of(found.utterance, vocabulary)
+    vocabulary = sentence.vocabulary
     unknown = unknown_spans(sentence)
     heard = slips(sentence.words, unknown, vocabulary)
     asked = _asked_whether(found, heard, vocabulary) if heard else None
@@ -149,7 +149,7 @@ def _asked_whether(
 ) -> Extraction | None:
     """The question whether other words were meant, where those make sense."""
     utterance = found.utterance
-    instead = _extraction(mended(utterance, likely), vocabulary)
+    instead = _extraction(Sentence.of(mended(utterance, likely), vocabulary))
     if instead.status is not Status.OK or instead.reading is None:
         return None
     readings = (replace(instead.reading, answer="yes"),)

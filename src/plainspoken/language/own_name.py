@@ -19,20 +19,25 @@ _ROBOT = "robot"
 
 def own_name(landmarks: Landmarks) -> str | None:
     """What the ids of all places have in common before the place; None where it is no name."""
-    ids = [one.id.split("_") for one in landmarks.values() if one.type is LandmarkType.LOCATION]
-    if len(ids) < 2:
+    shared = beginning(landmarks)
+    if len(shared) < 2:
         return None
-    columns = zip(*ids, strict=False)
-    shared = [column[0] for column in takewhile(lambda each: len(set(each)) == 1, columns)]
-    if len(shared) < 2 or min(map(len, ids)) == len(shared):
-        return None
-    name: str = shared[-1]
+    name = shared[-1]
     described = {
         word.text for one in landmarks.values() for phrase in one.phrases for word in words(phrase)
     }
     if not name.isalpha() or len(name) < 2 or name in described or is_known(name):
         return None
     return name
+
+
+def beginning(landmarks: Landmarks) -> tuple[str, ...]:
+    """The words that the ids of all places begin with, where something follows in each."""
+    ids = [one.id.split("_") for one in landmarks.values() if one.type is LandmarkType.LOCATION]
+    if len(ids) < 2:
+        return ()
+    columns = list(zip(*ids, strict=False))[: min(map(len, ids)) - 1]
+    return tuple(column[0] for column in takewhile(lambda each: len(set(each)) == 1, columns))
 
 
 def addressed(said: Sequence[Word], name: str | None) -> tuple[Word, ...]:

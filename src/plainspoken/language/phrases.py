@@ -10,6 +10,7 @@ from plainspoken.language.kind import Kind
 
 PHRASES_OF_DOING: dict[Kind, str] = {
     Kind.GO: """
+        business; business in; business on; business at;
         ~wind up; ~wind up at; ~wind up in; ~go on; ~go on to; ~carry on; ~press on; ~push on;
         ~head on; ~round off at; ~round off in; ~conclude at; ~conclude in; ~start out;
         ~start out at; ~start off; ~start off at; ~set out; ~wander; ~roam; ~tick; ~tick off;

@@ -2,28 +2,36 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from plainspoken.automata.construction import Automaton
+from plainspoken.language.own_name import beginning
 from plainspoken.logic.formula import Formula
 from plainspoken.world.landmark import Landmarks, LandmarkType
 from plainspoken.world.symbol import SymbolId
 
+_SAYS_WHERE = frozenset(("at", "in", "on", "inside", "located", "location", "position"))
+"""How a predicate ends that tells where somebody is: `robot_at`, `in`, `is_located`."""
 Apart = tuple[frozenset[SymbolId], ...]
 """Sets of symbols of which no two hold at one instant."""
 
-_WHERE = re.compile(r"(robot_at_[^_]+)_.")
-"""A robot is at one place at a time: ids that differ in the place exclude each other."""
-
 
 def places_of_robots(landmarks: Landmarks, among: Iterable[SymbolId]) -> Apart:
-    """The places of each robot, of some symbols; no robot is at two of its places at once."""
+    """The places of each robot, of some symbols; no robot is at two of its places at once.
+
+    Whose place an id tells of is the word behind the one that says so: "ada" behind "robot_at" in
+    `robot_at_ada_archive`.
+    """
+    shared = beginning(landmarks)
+    where = next(
+        (shared[:n] for n in range(len(shared), 0, -1) if shared[n - 1] in _SAYS_WHERE), ()
+    )
     found: dict[str, set[SymbolId]] = {}
-    for symbol in among:
-        match = _WHERE.match(symbol)
-        if match and symbol in landmarks and landmarks[symbol].type is not LandmarkType.ACTION:
-            found.setdefault(match[1], set()).add(symbol)
+    for symbol in among if where else ():
+        *begins, whose = [*symbol.split("_")[: len(where) + 1], ""][: len(where) + 1]
+        known = symbol in landmarks and landmarks[symbol].type is not LandmarkType.ACTION
+        if tuple(begins) == where and known and symbol != "_".join((*where, whose)):
+            found.setdefault(whose, set()).add(symbol)
     return tuple(frozenset(each) for each in found.values() if len(each) > 1)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import assert_never
 
 from plainspoken.logic.formula import Formula
@@ -49,20 +50,21 @@ Requests = Callable[[], Observation | None]
 
 @dataclass(frozen=True, slots=True)
 class Patience:
-    """How long the task manager waits, in seconds.
+    """How long the task manager waits, in seconds of a clock.
 
     news:      for the robot, before requests are looked at again
     action:    for an action to end before it is given up; None is for ever
     given_up:  for an action that was given up to end
     lost:      for a robot that cannot be reached
-    unseen:    how old an observation may be when an action is chosen by it
+    clock, sleep: what the seconds are measured by; simulated time is the simulator's own
     """
 
     news: Seconds = 0.2
     action: Callable[[GroundAction], Seconds | None] = lambda _: None
     given_up: Seconds = 10.0
     lost: Seconds = 60.0
-    unseen: Seconds = float("inf")
+    clock: Callable[[], Seconds] = time.monotonic
+    sleep: Callable[[Seconds], None] = time.sleep
 
 
 def run_mission(
@@ -73,19 +75,16 @@ def run_mission(
     *,
     requests: Requests = lambda: None,
     patience: Patience | None = None,
-    clock: Callable[[], Seconds] = time.monotonic,
-    sleep: Callable[[Seconds], None] = time.sleep,
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out, giving each entry of its log once it is stored.
 
     start: from `accept`, or from `advance(mission_from(entries), ResumeAsked(...))`
-    clock: what `patience` is measured by; the simulator brings its own
     returns the mission when it is over, or paused with nothing under way
 
     Ctrl-C pauses: the action under way comes to its end and no other is started; a second one
     leaves at once. Whoever stops taking entries pauses the mission too. Either is in the log.
     """
-    edge = _Edge(robot, plan, requests, patience=patience or Patience(), clock=clock, sleep=sleep)
+    edge = _Edge(robot, plan, requests, patience or Patience())
     now = start
     while True:
         entries = record(now.mission.instant, now.events) if now.events else ()
@@ -109,19 +108,15 @@ class _Edge:
         robot: Robot,
         plan: Replanner,
         requests: Requests,
-        *,
         patience: Patience,
-        clock: Callable[[], Seconds],
-        sleep: Callable[[Seconds], None],
     ) -> None:
         self._robot = robot
         self._plan = plan
         self._requests = requests
         self._patience = patience
-        self._clock = clock
-        self._sleep = sleep
+        self._clock = patience.clock
         self._goal: GoalId | None = None
-        self._since = self._given_up_at = self._seen_at = clock()
+        self._since = self._given_up_at = self._clock()
         self._doing: str | None = None
         self._given_up: GoalId | None = None
 
@@ -132,7 +127,7 @@ class _Edge:
             request = self._requests()
             if request is not None and mission.in_flight is None:
                 return request
-            answer = self._reached(lambda: self._obeyed(now))
+            answer = self._reached(partial(self._obeyed, now))
             while answer is None:
                 # A request that came with a command waits until the robot has the command.
                 if request is not None:
@@ -143,7 +138,7 @@ class _Edge:
                 if goal is None or mission.lost is not None:
                     answer = self._reconnected()
                 else:
-                    answer = self._reached(lambda goal=goal: self._news(goal))  # type: ignore[misc]
+                    answer = self._reached(partial(self._news, goal))
                 request = self._requests() if answer is None else None
         except KeyboardInterrupt:
             if mission.paused_by is not None:
@@ -165,7 +160,7 @@ class _Edge:
         except Unreachable as error:
             if self._clock() - self._since > self._patience.lost:
                 return Lost(str(error), for_good=True)
-            self._sleep(self._patience.news)
+            self._patience.sleep(self._patience.news)
             return None
         self._goal = None  # what goes on is timed anew
         return Found()
@@ -184,11 +179,12 @@ class _Edge:
                         self._given_up, self._given_up_at = goal_id, self._clock()
                     self._robot.cancel(goal_id)
                 case Look():
-                    return Sensed("robot", self._seen())
+                    return Sensed("robot", self._robot.state())
                 case Reconnect():
                     pass  # asking for its state is trying
                 case Plan(state, remaining):
-                    return self._planned(state, remaining)
+                    policy = self._plan(state, remaining)
+                    return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
                 case _:
                     assert_never(command)
         return None
@@ -198,22 +194,6 @@ class _Edge:
         if self._goal != goal:
             self._goal, self._doing = goal, None
             self._since = self._given_up_at = self._clock()
-
-    def _seen(self) -> State:
-        seen = self._robot.state()
-        self._seen_at = self._clock()
-        return seen
-
-    def _planned(self, state: State, remaining: Formula) -> Observation:
-        """A policy, unless planning took so long that the world has to be seen anew first."""
-        policy = self._plan(state, remaining)
-        if isinstance(policy, str):
-            return NotPlanned(policy)
-        if self._clock() - self._seen_at > self._patience.unseen:
-            seen = self._seen()
-            if seen != state:
-                return Sensed("robot", seen)
-        return Planned(policy)
 
     def _news(self, goal: ActionInFlight) -> Observation | None:
         """What the robot says of an action; None while it is at it."""
@@ -225,10 +205,10 @@ class _Edge:
                     return Progressed(goal.goal_id, progress, doing)
                 return self._late(goal)
             case Succeeded(state):
-                seen = self._seen()
+                seen = self._robot.state()
                 return ActionDone(goal.goal_id, seen, state if state != seen else None)
             case Failed(reason, _):
-                return ActionNotDone(goal.goal_id, reason, self._seen())
+                return ActionNotDone(goal.goal_id, reason, self._robot.state())
             case Unheard():
                 return NeverHeard(goal.goal_id)
             case _:

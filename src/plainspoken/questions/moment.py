@@ -15,6 +15,7 @@ from plainspoken.automata.verdict import Part
 from plainspoken.errors import PlainspokenError
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode, policy_from_json
 from plainspoken.questions.demand import Demand, demands_of
+from plainspoken.questions.identity import ById
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.monitoring import Clauses, Letters, letters_of
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
@@ -257,7 +258,7 @@ class Moment:
         if not isinstance(event, PolicyChosen):
             return None
         # Questions come in numbers about one mission, and a policy may have thousands of nodes.
-        return _policy(_ById(event.policy))
+        return _policy(ById(event.policy))
 
     @cached_property
     def node(self) -> PolicyNode | None:
@@ -315,22 +316,9 @@ class Moment:
         )
 
 
-class _ById:
-    """A document as a key: the same one is read once."""
-
-    def __init__(self, document: Mapping[str, Any]) -> None:
-        self.document = document
-
-    def __hash__(self) -> int:
-        return id(self.document)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _ById) and other.document is self.document
-
-
 @lru_cache(maxsize=16)
-def _policy(key: _ById) -> Policy:
-    return policy_from_json(key.document, "policy of the log")
+def _policy(key: ById[Mapping[str, Any]]) -> Policy:
+    return policy_from_json(key.value, "policy of the log")
 
 
 def _step(entry: Entry) -> Step:

@@ -14,6 +14,7 @@ from plainspoken.automata.construction import Automaton
 from plainspoken.automata.verdict import Part
 from plainspoken.logic.formula import atoms, conjuncts
 from plainspoken.logic.syntax import parse
+from plainspoken.questions.identity import ById
 from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.event import Instant
 from plainspoken.world.symbol import AtomSymbol, SymbolId, letter, resolve_all
@@ -83,22 +84,9 @@ class Letters:
 
 def letters_of(problem: Problem, clauses: Clauses) -> Letters:
     """The automata of a request; kept, as they grow with what they have read."""
-    return _letters(_ById(problem), clauses)
-
-
-class _ById:
-    """A problem as a key: it is the same one for all moments of a mission."""
-
-    def __init__(self, problem: Problem) -> None:
-        self.problem = problem
-
-    def __hash__(self) -> int:
-        return id(self.problem)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _ById) and other.problem is self.problem
+    return _letters(ById(problem), clauses)
 
 
 @lru_cache(maxsize=8)
-def _letters(problem: _ById, clauses: Clauses) -> Letters:
-    return Letters(problem.problem, clauses)
+def _letters(problem: ById[Problem], clauses: Clauses) -> Letters:
+    return Letters(problem.value, clauses)

@@ -29,13 +29,22 @@ from plainspoken.mission.observation import (
     Told,
 )
 from plainspoken.mission.robot import Robot
-from plainspoken.pipeline import Request, Site, carry_out, find_policy, go_on, site_of, understand
+from plainspoken.pipeline import (
+    Request,
+    Site,
+    accepted_of,
+    carry_out,
+    find_policy,
+    go_on,
+    site_of,
+    understand,
+)
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.moment import Moment
-from plainspoken.world.event import Entry, Event, Instant, MissionAccepted, Step
+from plainspoken.world.event import Entry, Event, Instant, Step
 
 PlaceName = str
 RobotFor = Callable[[Site, Mapping[str, Any], Sequence[Entry]], Robot]
@@ -155,7 +164,7 @@ class Desk:
 
     def site(self, mission: MissionId) -> Site:
         """Where a mission takes place, by its log alone."""
-        return site_of(_accepted(self._entries(mission)))
+        return site_of(accepted_of(self._entries(mission)))
 
     def is_running(self, mission: MissionId) -> bool:
         """Whether a thread of this desk carries it out."""
@@ -256,7 +265,7 @@ class Desk:
         entries = self._entries(mission)
         if mission_from(entries).is_over:
             raise PlainspokenError(f"the mission {mission} is over")
-        accepted = _accepted(entries)
+        accepted = accepted_of(entries)
         site = site_of(accepted)
         robot = self._robot_for(site, accepted.robot, entries)
         running = _Running()
@@ -310,10 +319,3 @@ class Desk:
         with self._news:
             self._count += 1
             self._news.notify_all()
-
-
-def _accepted(entries: Sequence[Entry]) -> MissionAccepted:
-    first = entries[0].event
-    if not isinstance(first, MissionAccepted):
-        raise PlainspokenError("a log begins with mission_accepted")
-    return first

@@ -1,0 +1,80 @@
+"""The simulated robot of a mission, as `run` sets it and `missions resume` finds it in the log."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from plainspoken.mission.fault import FaultyRobot, fault_from
+from plainspoken.mission.mission import mission_from
+from plainspoken.mission.robot import Robot, Seconds
+from plainspoken.mission.run import Patience
+from plainspoken.mission.simulator import Simulator, steering_from
+from plainspoken.pipeline import Site
+from plainspoken.world.domain import GroundAction, State
+from plainspoken.world.event import ActionFinished, Entry
+
+PATIENT_SECONDS = 60.0
+"""What an action may take, in simulated time, where faults strike and nobody says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What a log keeps of the robot; texts as they are given on the command line."""
+
+    seed: int = 0
+    steering: Sequence[str] = ()
+    faults: Sequence[str] = ()
+    limit: Seconds | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """The field `robot` of an accepted mission."""
+        document = {"robot": "simulator", "seed": self.seed, "steering": list(self.steering)}
+        if self.faults:
+            document["faults"] = list(self.faults)
+        if self.limit is not None:
+            document["action_timeout"] = self.limit
+        return document
+
+    @classmethod
+    def of(cls, document: Mapping[str, Any]) -> Settings:
+        """Read what `to_json` wrote."""
+        return cls(
+            document.get("seed", 0),
+            document.get("steering", ()),
+            document.get("faults", ()),
+            document.get("action_timeout"),
+        )
+
+
+def simulated(
+    site: Site, settings: Settings, *, pace: float, entries: Sequence[Entry] = ()
+) -> tuple[Robot, Patience]:
+    """The robot of a mission with such a log so far, and what the mission is timed by.
+
+    raises PlainspokenError: when a wish or a fault cannot be read
+    """
+    simulator = Simulator(
+        site.problem,
+        seed=settings.seed,
+        steering=[steering_from(text, site.problem) for text in settings.steering],
+        state=mission_from(entries).world if entries else None,
+        history=list(_history(entries)),
+        pace=pace,
+    )
+    faults = tuple(fault_from(text) for text in settings.faults)
+    if not faults:
+        return simulator, Patience(action=lambda _: settings.limit)
+    robot = FaultyRobot(site.problem, simulator, faults, seed=settings.seed)
+    limit = settings.limit or PATIENT_SECONDS
+    return robot, Patience(action=lambda _: limit, clock=lambda: robot.elapsed, sleep=robot.sleep)
+
+
+def _history(entries: Sequence[Entry]) -> Iterable[tuple[State, GroundAction]]:
+    """The actions that were carried out, each with the state it was done in."""
+    before: State = frozenset()
+    for entry in entries:
+        if isinstance(entry.event, ActionFinished):
+            yield before, entry.event.action
+        before = getattr(entry.event, "state", before)
