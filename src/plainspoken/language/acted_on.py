@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from plainspoken.language.agency import mover_at
+from plainspoken.language.expression import Shape
 from plainspoken.language.frame import ARTICLES
-from plainspoken.language.grounding import Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.reference import Form, Reference
 from plainspoken.language.word import Word
 

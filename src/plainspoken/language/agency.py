@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from plainspoken.language.expression import Shape
 from plainspoken.language.frame import Frames, Mention, Thing
-from plainspoken.language.grounding import Shape
 from plainspoken.language.kinship import alike
 from plainspoken.language.reference import Form, Reference
 from plainspoken.language.word import Word, stems

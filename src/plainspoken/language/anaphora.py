@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from plainspoken.language.expression import Shape
 from plainspoken.language.frame import Mention, Thing
-from plainspoken.language.grounding import Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.reference import references
 from plainspoken.language.word import Word
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum, auto
 
 from plainspoken.language.counting import Count
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form, Reference
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from plainspoken.language.expression import PREPOSITIONS
 from plainspoken.language.frame import Mention
-from plainspoken.language.grounding import PREPOSITIONS, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.lexicon import PHRASES, Kind
 from plainspoken.language.quantifier import members_of, quantified
 from plainspoken.language.reference import Form, Reference, references

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from plainspoken.language.clause import Act, Clause, Operand
 from plainspoken.language.counting import Count
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form, Reference
 

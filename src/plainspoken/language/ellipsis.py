@@ -10,8 +10,9 @@ from plainspoken.language.agency import told_apart
 from plainspoken.language.anaphora import said_in_full, without_topic
 from plainspoken.language.carriage import with_errands
 from plainspoken.language.coordination import spread
+from plainspoken.language.expression import COPULAS, Shape
 from plainspoken.language.frame import ARTICLES, Mention, Thing
-from plainspoken.language.grounding import COPULAS, Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.lexicon import PHRASES, Kind
 from plainspoken.language.reference import Form, Reference, references
 from plainspoken.language.repetition import of_each

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from plainspoken.language.counting import Count, count_at, limit_at, nth_at, tells_of_limit
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.lexicon import MARKS, PHRASES, Kind
 from plainspoken.language.reference import Form, Reference
 from plainspoken.language.word import Word

@@ -9,11 +9,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from plainspoken.language.clause import Act, Clause, Operand, Statement
+from plainspoken.language.clause_kind import drops, is_errand, is_once, is_place
 from plainspoken.language.counting import Count
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.itinerary import Chain
 from plainspoken.language.lexicon import Kind
-from plainspoken.language.main_clause import drops, is_errand, is_once, is_place
 from plainspoken.language.reaction import Reactions
 from plainspoken.logic.formula import (
     Atom,

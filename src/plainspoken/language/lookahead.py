@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from plainspoken.language.clause import Clause
 from plainspoken.language.draft import Draft
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form, Reference

@@ -6,11 +6,18 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from plainspoken.language.clause import Act, Clause, Operand, Statement
+from plainspoken.language.clause_kind import (
+    drops,
+    is_bound,
+    is_once,
+    is_place,
+    is_remark,
+    is_state,
+)
 from plainspoken.language.counting import Count
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.itinerary import Chain, Itinerary, count_pattern
 from plainspoken.language.lexicon import Kind
-from plainspoken.language.reference import Form
 from plainspoken.logic.formula import (
     And,
     Atom,
@@ -136,7 +143,7 @@ class MainClauses:
             self._counted(main, parts)
         elif main.act is Act.AVOID:
             self._avoided(main, parts)
-        elif _is_bound(main) and self._bounded(main):
+        elif is_bound(main) and self._bounded(main):
             pass
         elif (
             main.modality is Kind.MAY
@@ -156,7 +163,7 @@ class MainClauses:
         elif Kind.ALWAYS in flags and (main.assured or is_state(main) or Kind.BE in flags):
             kept = Remaining if Kind.LATER in flags else Maintenance
             self._route.add(kept((self._situation(main),)))
-        elif _is_remark(main):
+        elif is_remark(main):
             self._remarks += 1
         elif self._route.chain is not None and Kind.NOW in flags and len(parts) > 1 and (
             self._continues(main)
@@ -412,27 +419,6 @@ class MainClauses:
             self._route.chain = None
 
 
-def drops(clause: Clause | None) -> bool:
-    """Whether a clause only picks something up or puts it down, which one goes on from."""
-    errands = [each.reference.errand for each in clause.operands] if clause is not None else []
-    return len(errands) == 1 and any(
-        each is not None and each.carries and not each.travels for each in errands
-    )
-
-
-def is_errand(clause: Clause) -> bool:
-    """Whether a clause tells of something that is carried or put down, and of nothing else."""
-    errands = [operand.reference.errand for operand in clause.operands]
-    return len(errands) == 1 and errands[0] is not None and (
-        errands[0].travels or (errands[0].carries and len(errands[0].stops[0]) == 1)
-    )  # fmt: skip
-
-
-def is_place(clause: Clause) -> bool:
-    """Whether a clause only speaks of places."""
-    return all(operand.reference.shape is Shape.PLACE for operand in clause.operands)
-
-
 def _of_symbol(operand: Operand, symbol: SymbolId) -> Operand:
     """One symbol of an operand that is an errand, by itself."""
     return replace(operand, reference=replace(operand.reference, symbol=symbol, errand=None))
@@ -445,36 +431,3 @@ def _followed(formula: Formula, sequel: Formula) -> Formula:
             return conjunction(*parts, Eventually(_followed(later, sequel)))
         case _:
             return conjunction(formula, sequel)
-
-
-def _is_bound(main: Clause) -> bool:
-    """Whether a permission is one for nothing else: "only at b", "and nowhere else"."""
-    return main.modality is Kind.MAY and bool(main.flags & {Kind.ONLY, Kind.NO_OTHER})
-
-
-def is_state(clause: Clause) -> bool:
-    """Whether a clause tells of a state as it is: "the tank is full"."""
-    return any(
-        operand.reference.shape is Shape.STATE and operand.reference.form is Form.FINITE
-        for operand in clause.operands
-    )
-
-
-def _is_remark(clause: Clause) -> bool:
-    """Whether a main clause only says how things are: "the tank is full"."""
-    return (
-        clause.modality is None
-        and not clause.wished
-        and clause.told
-        and not clause.flags - {Kind.BE}
-        and clause.link in (None, Kind.STOP, Kind.COMMA, Kind.AND)
-        and all(
-            operand.reference.shape is Shape.STATE and operand.reference.form is Form.FINITE
-            for operand in clause.operands
-        )
-    )
-
-
-def is_once(clause: Clause) -> bool:
-    """Whether a clause asks for exactly one visit."""
-    return clause.act is Act.DO and clause.counts in ((Count("=", 1),), (Count("", 1),))

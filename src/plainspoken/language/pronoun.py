@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reference import Form

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from plainspoken.language.expression import Shape
 from plainspoken.language.frame import ARTICLES, Thing
-from plainspoken.language.grounding import Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.lexicon import is_general
 from plainspoken.language.reference import Form, references
 from plainspoken.language.repetition import of_each

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from plainspoken.language.clause import Act, Clause
 from plainspoken.language.counting import Count
-from plainspoken.language.grounding import Shape
+from plainspoken.language.expression import Shape
 from plainspoken.language.itinerary import Chain
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.main_clause import MainClauses

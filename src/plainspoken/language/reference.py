@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from enum import StrEnum, auto
 
 from plainspoken.language.errand import Errand
+from plainspoken.language.expression import COPULAS, Expression, Shape
 from plainspoken.language.frame import ARTICLES
-from plainspoken.language.grounding import COPULAS, Expression, Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.lexicon import is_general
 from plainspoken.language.verbal import is_idle, is_motion, is_noun
 from plainspoken.language.voice import (

@@ -10,8 +10,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from plainspoken.language.agency import mover_at
+from plainspoken.language.expression import PREPOSITIONS, Shape
 from plainspoken.language.frame import Thing
-from plainspoken.language.grounding import PREPOSITIONS, Shape, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.reference import references
 from plainspoken.language.word import Word
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from plainspoken.language.grounding import Shape, Vocabulary
+from plainspoken.language.expression import Shape
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.reference import Reference, references
 from plainspoken.language.word import Word
 

@@ -12,9 +12,10 @@ from difflib import SequenceMatcher
 from functools import cache
 from itertools import pairwise
 
+from plainspoken.language.expression import PREPOSITIONS
 from plainspoken.language.extracted import ReferringExpression, listed
 from plainspoken.language.frame import ARTICLES
-from plainspoken.language.grounding import PREPOSITIONS, Vocabulary
+from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.word import Word, is_known, words
 
 _SOUNDS_LIKE_NUMBERS = """to 2; too 2; tu 2; for 4; fore 4; won 1; ate 8; tree 3; free 3; fife 5;

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from plainspoken.language.expression import PARTICLES
 from plainspoken.language.frame import ARTICLES
-from plainspoken.language.grounding import PARTICLES
 from plainspoken.language.kinship import nouns_of
 from plainspoken.language.lexicon import PHRASES, Kind
 from plainspoken.language.word import Word

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from plainspoken.language.expression import Expression, Shape
 from plainspoken.language.frame import ARTICLES
-from plainspoken.language.grounding import Expression, Shape
 from plainspoken.language.word import Word
 
 NEGATIONS = frozenset(("not", "no", "never", "neither", "nor"))

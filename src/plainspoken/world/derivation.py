@@ -15,7 +15,7 @@ from plainspoken.logic.syntax import is_proposition
 from plainspoken.world.domain import Action, Parameter, Problem, changed_atoms
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
 from plainspoken.world.object_name import ObjectNames
-from plainspoken.world.reachability import reachable, required
+from plainspoken.world.reachability import PossibleAtoms
 from plainspoken.world.symbol import flat
 from plainspoken.world.wording import Wording, is_quality, is_word
 
@@ -52,7 +52,7 @@ class _Naming:
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
-        self._grounded: dict[str, tuple[tuple[str, ...], ...]] = {}
+        self._possible = PossibleAtoms(problem)
 
     # Who moves, and where.
 
@@ -94,7 +94,7 @@ class _Naming:
     @cached_property
     def _place_objects(self) -> frozenset[str]:
         return frozenset(
-            atom[-1] for predicate in self._motions for atom in self._groundings_of(predicate)
+            atom[-1] for predicate in self._motions for atom in self._possible.of(predicate)
         )
 
     # Words.
@@ -120,7 +120,7 @@ class _Naming:
 
     def places(self) -> Iterator[Landmark]:
         for predicate, movers in self._motions.items():
-            for arguments in self._groundings_of(predicate):
+            for arguments in self._possible.of(predicate):
                 *movings, place = arguments
                 if movings and movings[0] not in movers:
                     continue
@@ -171,7 +171,7 @@ class _Naming:
         named = [p for p in schema.parameters if set(_type_words(p)) & set(rest)]
         if named:
             for parameter in things:
-                fitting = tuple(self._fitting(schema, parameter))
+                fitting = tuple(self._possible.fitting(schema, parameter))
                 if parameter not in named and len(fitting) == 1:
                     yield f"{words} in {self._name(fitting[0])}"
             return
@@ -180,7 +180,7 @@ class _Naming:
             yield from (f"{words} the {noun}" for noun in self._subjects_changed(schema) if direct)
             things = [p for p in schema.parameters if self._is_changed(schema, p)]
         for parameter in things[:1]:
-            fitting = tuple(self._fitting(schema, parameter))
+            fitting = tuple(self._possible.fitting(schema, parameter))
             if any(name in self._mobile for name in fitting):
                 continue
             called = self._objects[fitting[0]][:2] if len(fitting) == 1 else ()
@@ -208,7 +208,7 @@ class _Naming:
         return frozenset(self._agents) | {
             atom[0]
             for predicate in self._motions
-            for atom in self._groundings_of(predicate)
+            for atom in self._possible.of(predicate)
             if len(atom) == 2
         }
 
@@ -253,7 +253,7 @@ class _Naming:
         made = 0
         objects = [p for p in schema.parameters if not self._is_setting(schema, p)]
         for parameter in schema.parameters:
-            fitting = tuple(self._fitting(schema, parameter))
+            fitting = tuple(self._possible.fitting(schema, parameter))
             if len(fitting) < 2:
                 continue  # the one object that fits is meant anyway
             for name in fitting:
@@ -286,7 +286,7 @@ class _Naming:
 
     def _is_setting(self, schema: Action, parameter: Parameter) -> bool:
         """Whether a parameter is a place or a robot, and not what the action is done to."""
-        fitting = tuple(self._fitting(schema, parameter))
+        fitting = tuple(self._possible.fitting(schema, parameter))
         return bool(fitting) and all(
             name in self._place_objects or name in self._agents for name in fitting
         )
@@ -295,7 +295,7 @@ class _Naming:
 
     def conditions(self) -> Iterator[Landmark]:
         for predicate in sorted(self._problem.changing_predicates):
-            for made, arguments in enumerate(self._groundings_of(predicate)):
+            for made, arguments in enumerate(self._possible.of(predicate)):
                 if made >= MOST_OF_A_KIND:
                     break
                 ways = dict.fromkeys(self._condition(predicate, arguments))
@@ -310,7 +310,7 @@ class _Naming:
                 yield from _of_none(words)
             case (one,):
                 plain = words[0] not in _RELATIONS | _VERBS | {"not"} and words[1:]
-                if plain and len(self._groundings_of(predicate)) == 1:
+                if plain and len(self._possible.of(predicate)) == 1:
                     yield from _of_none(words)
                 for called in self._objects[one][:3]:
                     yield self._of_one(words, one, called)
@@ -326,7 +326,7 @@ class _Naming:
 
     def _is_only(self, predicate: str, arguments: tuple[str, ...]) -> bool:
         """Whether a predicate holds of the first argument with no other place but this one."""
-        own = [each for each in self._groundings_of(predicate) if each[0] == arguments[0]]
+        own = [each for each in self._possible.of(predicate) if each[0] == arguments[0]]
         return len(own) == 1 and arguments[1] in self._place_objects
 
     def _of_one(self, words: list[str], one: str, called: str) -> str:
@@ -354,64 +354,6 @@ class _Naming:
             joint = " with " if tail.endswith("ed") else " "
             return f"{called} is {' '.join(words)}{joint}{second}"
         return f"{called} {' '.join(words)} {second}"
-
-    # What can be true at all.
-
-    def _groundings_of(self, predicate: str) -> tuple[tuple[str, ...], ...]:
-        if predicate not in self._grounded:
-            self._grounded[predicate] = tuple(self._groundings(predicate))
-        return self._grounded[predicate]
-
-    def _groundings(self, predicate: str) -> Iterator[tuple[str, ...]]:
-        """The ground atoms of a predicate that some execution may make true, as far as is seen."""
-        if self._reached is not None:
-            found = self._reached.get(predicate, {})
-            order = {name: place for place, name in enumerate(self._problem.objects)}
-            yield from sorted(found, key=lambda each: [order[name] for name in each])
-            return
-        parameters = self._problem.domain.predicates[predicate]
-        for binding in self._problem.bindings(parameters):
-            arguments = tuple(binding.values())
-            atom = " ".join([predicate, *arguments])
-            if atom in self._problem.initial or any(
-                all(
-                    f"{kind} {name}" in self._problem.initial
-                    for name, kinds in zip(arguments, way, strict=True)
-                    for kind in kinds
-                )
-                for way in self._ways.get(predicate, ())
-            ):
-                yield arguments
-
-    @cached_property
-    def _reached(self) -> dict[str, dict[tuple[str, ...], None]] | None:
-        return reachable(self._problem)
-
-    @cached_property
-    def _ways(self) -> dict[str, set[tuple[frozenset[str], ...]]]:
-        """For each predicate that is added: the static predicates each argument must satisfy."""
-        found: dict[str, set[tuple[frozenset[str], ...]]] = {}
-        for action in self._problem.domain.actions:
-            needed = self._needed(action)
-            for atom, added in changed_atoms(action.effect):
-                if added:
-                    way = tuple(needed.get(term, frozenset()) for term in atom.terms)
-                    found.setdefault(atom.predicate, set()).add(way)
-        return found
-
-    def _needed(self, action: Action) -> dict[str, frozenset[str]]:
-        found: dict[str, frozenset[str]] = {}
-        for atom in required(action.precondition):
-            if len(atom.terms) == 1 and atom.predicate not in self._problem.changing_predicates:
-                term = atom.terms[0]
-                found[term] = found.get(term, frozenset()) | {atom.predicate}
-        return found
-
-    def _fitting(self, schema: Action, parameter: Parameter) -> Iterator[str]:
-        kinds = self._needed(schema).get(parameter.name, frozenset())
-        for name in self._problem.objects_for(parameter):
-            if all(f"{kind} {name}" in self._problem.initial for kind in kinds):
-                yield name
 
 
 def _of_none(words: list[str]) -> Iterator[str]:

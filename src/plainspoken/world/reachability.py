@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from plainspoken.world.domain import (
+    Action,
     Add,
     AllOf,
     AtomCondition,
@@ -24,6 +25,7 @@ from plainspoken.world.domain import (
     Problem,
     Together,
     When,
+    changed_atoms,
 )
 
 MOST_STEPS = 100_000
@@ -171,3 +173,69 @@ def required(condition: Condition) -> Iterator[AtomCondition]:
                 yield from required(part)
         case _:
             return
+
+
+class PossibleAtoms:
+    """The atoms that can be true at all, as far as is seen without planning."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._grounded: dict[str, tuple[tuple[str, ...], ...]] = {}
+
+    def of(self, predicate: str) -> tuple[tuple[str, ...], ...]:
+        """The arguments of those of a predicate."""
+        if predicate not in self._grounded:
+            self._grounded[predicate] = tuple(self._found(predicate))
+        return self._grounded[predicate]
+
+    def _found(self, predicate: str) -> Iterator[tuple[str, ...]]:
+        """The ground atoms of a predicate that some execution may make true, as far as is seen."""
+        if self._reached is not None:
+            found = self._reached.get(predicate, {})
+            order = {name: place for place, name in enumerate(self._problem.objects)}
+            yield from sorted(found, key=lambda each: [order[name] for name in each])
+            return
+        parameters = self._problem.domain.predicates[predicate]
+        for binding in self._problem.bindings(parameters):
+            arguments = tuple(binding.values())
+            atom = " ".join([predicate, *arguments])
+            if atom in self._problem.initial or any(
+                all(
+                    f"{kind} {name}" in self._problem.initial
+                    for name, kinds in zip(arguments, way, strict=True)
+                    for kind in kinds
+                )
+                for way in self._ways.get(predicate, ())
+            ):
+                yield arguments
+
+    @cached_property
+    def _reached(self) -> dict[str, dict[tuple[str, ...], None]] | None:
+        return reachable(self._problem)
+
+    @cached_property
+    def _ways(self) -> dict[str, set[tuple[frozenset[str], ...]]]:
+        """For each predicate that is added: the static predicates each argument must satisfy."""
+        found: dict[str, set[tuple[frozenset[str], ...]]] = {}
+        for action in self._problem.domain.actions:
+            needed = self._needed(action)
+            for atom, added in changed_atoms(action.effect):
+                if added:
+                    way = tuple(needed.get(term, frozenset()) for term in atom.terms)
+                    found.setdefault(atom.predicate, set()).add(way)
+        return found
+
+    def _needed(self, action: Action) -> dict[str, frozenset[str]]:
+        found: dict[str, frozenset[str]] = {}
+        for atom in required(action.precondition):
+            if len(atom.terms) == 1 and atom.predicate not in self._problem.changing_predicates:
+                term = atom.terms[0]
+                found[term] = found.get(term, frozenset()) | {atom.predicate}
+        return found
+
+    def fitting(self, schema: Action, parameter: Parameter) -> Iterator[str]:
+        """The objects that a parameter may stand for, by what never changes."""
+        kinds = self._needed(schema).get(parameter.name, frozenset())
+        for name in self._problem.objects_for(parameter):
+            if all(f"{kind} {name}" in self._problem.initial for kind in kinds):
+                yield name
