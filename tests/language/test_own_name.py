@@ -20,6 +20,8 @@ STUDIO = places("at_zora_foyer", "at_zora_attic", "at_zora_lift")
     [
         (("at_zora_foyer", "at_zora_attic"), "zora"),
         (("robot_at_zora_foyer", "robot_at_zora_side_door"), "zora"),
+        (("robot_at_flora_foyer", "robot_at_flora_attic"), "flora"),  # whose place it is
+        (("robot_at_ann_foyer", "robot_at_bob_attic"), None),
         (("foyer", "attic"), None),
         (("room_foyer", "room_attic"), None),  # an English word is no name
         (("at_r2_foyer", "at_r2_attic"), None),

@@ -116,6 +116,8 @@ class Frames:
             ):  # fmt: skip
                 # One name of each: what has two is still one thing.
                 once = {symbol: thing for thing, symbol in reversed(tuple(fillings.items()))}
+                # "water the fern" and "water at the gate": what it is done to, not where.
+                once = {s: t for s, t in once.items() if t not in self.places} or once
                 if len(once) > 1:
                     yield len(rest), tuple(reversed(tuple(once.values())))
 

@@ -14,6 +14,8 @@ from itertools import takewhile
 from plainspoken.language.word import Word, is_known, words
 from plainspoken.world.landmark import Landmarks, LandmarkType
 
+SAYS_WHERE = frozenset(("at", "in", "on", "inside", "located", "location", "position"))
+"""How a predicate ends that tells where somebody is: `robot_at`, `in`, `is_located`."""
 _ROBOT = "robot"
 
 
@@ -26,9 +28,10 @@ def own_name(landmarks: Landmarks) -> str | None:
     described = {
         word.text for one in landmarks.values() for phrase in one.phrases for word in words(phrase)
     }
-    if not name.isalpha() or len(name) < 2 or name in described or is_known(name):
+    if not name.isalpha() or len(name) < 2 or name in described or name in SAYS_WHERE:
         return None
-    return name
+    # Behind "at" a word is whose place it is, even where it is one of English: Rob, Flora.
+    return name if shared[-2] in SAYS_WHERE or not is_known(name) else None
 
 
 def beginning(landmarks: Landmarks) -> tuple[str, ...]:

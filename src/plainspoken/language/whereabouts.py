@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from plainspoken.automata.construction import Automaton
-from plainspoken.language.own_name import beginning
+from plainspoken.language.own_name import SAYS_WHERE, beginning
 from plainspoken.logic.formula import Formula
 from plainspoken.world.landmark import Landmarks, LandmarkType
 from plainspoken.world.symbol import SymbolId
 
-_SAYS_WHERE = frozenset(("at", "in", "on", "inside", "located", "location", "position"))
-"""How a predicate ends that tells where somebody is: `robot_at`, `in`, `is_located`."""
 Apart = tuple[frozenset[SymbolId], ...]
 """Sets of symbols of which no two hold at one instant."""
 
@@ -23,9 +21,7 @@ def places_of_robots(landmarks: Landmarks, among: Iterable[SymbolId]) -> Apart:
     `robot_at_ada_archive`.
     """
     shared = beginning(landmarks)
-    where = next(
-        (shared[:n] for n in range(len(shared), 0, -1) if shared[n - 1] in _SAYS_WHERE), ()
-    )
+    where = next((shared[:n] for n in range(len(shared), 0, -1) if shared[n - 1] in SAYS_WHERE), ())
     found: dict[str, set[SymbolId]] = {}
     for symbol in among if where else ():
         *begins, whose = [*symbol.split("_")[: len(where) + 1], ""][: len(where) + 1]

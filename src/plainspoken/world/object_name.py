@@ -79,6 +79,11 @@ class ObjectNames:
         common = self._is_common(plain, name)
         if common:
             yield f"the {plain}"
+            yield from (
+                f"the {plain} {word}"
+                for word in map(self.wording.spaced, kinds[:1])
+                if word not in plain
+            )
         if name in self.agents:
             yield from self._agent(kinds)
         if not common:
