@@ -8,12 +8,8 @@ from __future__ import annotations
 
 import json
 import os
-import sqlite3
 import sys
-import threading
-import time as clock
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Protocol, Self
@@ -29,19 +25,43 @@ from plainspoken.knowledge.chain import (
     first_break,
     genesis,
 )
+from plainspoken.knowledge.database import Database, Duplicate, Session
+from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.world.event import Entry, Event, Instant, Step, entry_from_json
 
-BUSY_SECONDS = 30.0
-"""How long one process waits for another that is writing to the same store."""
+Also = Callable[[Session, Step], None]
+"""What is kept in the transaction of an append, told the step of its last entry."""
+
+
+class OvertakenError(PlainspokenError):
+    """Somebody else has written to the log of a mission: whoever was carrying it out lets go."""
+
+    def __init__(self, mission: MissionId, step: Step) -> None:
+        self.mission, self.step = mission, step
+        super().__init__(
+            f"somebody else goes on with the mission {mission}",
+            where=f"step {step} of its log is there already",
+            hint="`plainspoken missions` tells who; nothing was written here",
+        )
 
 
 class EventLog(Protocol):
     """Where the events of missions are kept."""
 
     def append(
-        self, mission: MissionId, time: str, instant: Instant, events: Sequence[Event]
+        self,
+        mission: MissionId,
+        time: str,
+        instant: Instant,
+        events: Sequence[Event],
+        *,
+        at: Step | None = None,
     ) -> tuple[Entry, ...]:
-        """Keep events, all of them or none, as the next entries of a mission."""
+        """Keep events, all of them or none, as the next entries of a mission.
+
+        at: the step that the first one has to become, None for whichever is next
+        raises OvertakenError: when the log does not end there
+        """
 
     def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
         """The entries of a mission in order; none where it is not known."""
@@ -81,23 +101,11 @@ def store_path(url: str | None, environment: Mapping[str, str] = os.environ) -> 
     return folder / "plainspoken.sqlite"
 
 
-class SqliteLog:
-    """An event log in one SQLite file, for several missions, threads and processes."""
+class Log:
+    """An event log in a database, for several missions, threads and processes."""
 
-    def __init__(self, path: str | Path) -> None:
-        """Open a store, made where there is none; `:memory:` is one that nobody else sees.
-
-        raises InputFileError: when the file is no such store
-        """
-        self._path = path
-        self._lock = threading.Lock()
-        with self._errors():
-            if str(path) != ":memory:":
-                Path(path).parent.mkdir(parents=True, exist_ok=True)
-            self._connection = sqlite3.connect(
-                path, timeout=BUSY_SECONDS, isolation_level=None, check_same_thread=False
-            )
-            _prepare(self._connection)
+    def __init__(self, database: Database) -> None:
+        self.database = database
 
     def __enter__(self) -> Self:
         return self
@@ -111,19 +119,38 @@ class SqliteLog:
         self.close()
 
     def close(self) -> None:
-        with self._lock:
-            self._connection.close()
+        self.database.close()
 
     def append(
-        self, mission: MissionId, time: str, instant: Instant, events: Sequence[Event]
+        self,
+        mission: MissionId,
+        time: str,
+        instant: Instant,
+        events: Sequence[Event],
+        *,
+        at: Step | None = None,
+        also: Also | None = None,
     ) -> tuple[Entry, ...]:
-        """Keep events, all of them or none, as the next entries of a mission."""
-        with self._writing():
-            step, previous = self._end(mission)
-            entries = tuple(
-                Entry(step + index, time, instant, event) for index, event in enumerate(events)
-            )
-            self._insert(mission, previous, [(e.step, canonical(e)) for e in entries])
+        """Keep events, all of them or none, as the next entries of a mission.
+
+        at: the step that the first one has to become: with it, of two who carry one mission out,
+            only one can ever write, and it has written before its robot hears of it
+        also: what is kept together with them
+        raises OvertakenError: when the log does not end at `at`
+        """
+        try:
+            with self.database.writing() as session:
+                step, previous = _end(session, mission)
+                if at is not None and step != at:
+                    raise OvertakenError(mission, at)
+                entries = tuple(
+                    Entry(step + index, time, instant, event) for index, event in enumerate(events)
+                )
+                _insert(session, mission, previous, [(e.step, canonical(e)) for e in entries])
+                if also is not None:
+                    also(session, step + len(entries) - 1)
+        except Duplicate as error:  # PostgreSQL lets two read the same end
+            raise OvertakenError(mission, at or 0) from error
         return entries
 
     def restore(self, mission: MissionId, links: Sequence[Link]) -> None:
@@ -137,14 +164,15 @@ class SqliteLog:
                 f"cannot import the mission {mission!r}: {broken.what}",
                 where=f"step {broken.step}",
             )
-        with self._writing():
-            if self._end(mission)[0]:
+        with self.database.writing() as session:
+            if _end(session, mission)[0]:
                 raise PlainspokenError(
                     f"the store has a mission {mission!r} already",
-                    where=str(self._path),
+                    where=self.database.place,
                     hint="import it into another store",
                 )
-            self._insert(mission, genesis(mission), [(link.step, link.text) for link in links])
+            texts = [(link.step, link.text) for link in links]
+            _insert(session, mission, genesis(mission), texts)
 
     def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
         """The entries of a mission in order; none where it is not known.
@@ -158,7 +186,7 @@ class SqliteLog:
             except (ValueError, KeyError, TypeError) as error:
                 raise InputFileError(
                     "the entry cannot be read",
-                    self._path,
+                    self.database.place,
                     field=f"step {link.step} of mission {mission}",
                     hint="someone else may have changed the store: verify the mission's log",
                 ) from error
@@ -166,20 +194,18 @@ class SqliteLog:
 
     def links(self, mission: MissionId, since: Step = 0) -> tuple[Link, ...]:
         """The entries of a mission as they are stored, with the hash up to each."""
-        with self._lock, self._errors():
-            rows = self._connection.execute(
+        with self.database.reading() as session:
+            rows = session.rows(
                 "SELECT step, document, hash FROM entry WHERE mission = ? AND step >= ?"
                 " ORDER BY step",
                 (mission, since),
-            ).fetchall()
+            )
         return tuple(Link(*row) for row in rows)
 
     def missions(self) -> tuple[MissionId, ...]:
         """The missions that have entries, oldest first."""
-        with self._lock, self._errors():
-            rows = self._connection.execute(
-                "SELECT mission FROM entry GROUP BY mission ORDER BY min(rowid)"
-            ).fetchall()
+        with self.database.reading() as session:
+            rows = session.rows("SELECT mission FROM entry GROUP BY mission ORDER BY min({row})")
         return tuple(mission for (mission,) in rows)
 
     def verify(self, mission: MissionId) -> Break | None:
@@ -192,89 +218,32 @@ class SqliteLog:
             return Break(mission, 0, "there are no entries of this mission")
         return first_break(mission, links)
 
-    def _end(self, mission: MissionId) -> tuple[Step, Hash]:
-        """The next step of a mission, and the hash to chain it to."""
-        row = self._connection.execute(
-            "SELECT step, hash FROM entry WHERE mission = ? ORDER BY step DESC LIMIT 1",
-            (mission,),
-        ).fetchone()
-        return (row[0] + 1, row[1]) if row else (0, genesis(mission))
 
-    def _insert(
-        self, mission: MissionId, previous: Hash, texts: Sequence[tuple[Step, str]]
-    ) -> None:
-        rows = []
-        for step, text in texts:
-            previous = chained(previous, text)
-            rows.append((mission, step, text, previous))
-        self._connection.executemany(
-            "INSERT INTO entry (mission, step, document, hash) VALUES (?, ?, ?, ?)", rows
-        )
+class SqliteLog(Log):
+    """An event log in one SQLite file."""
 
-    @contextmanager
-    def _writing(self) -> Iterator[None]:
-        """One transaction; other processes wait from before the end of the chain is read."""
-        with self._lock, self._errors(), _transaction(self._connection):
-            yield
+    def __init__(self, path: str | Path) -> None:
+        """Open a log, made where there is none; `:memory:` is one that nobody else sees.
 
-    @contextmanager
-    def _errors(self) -> Iterator[None]:
-        try:
-            yield
-        except sqlite3.OperationalError as error:
-            hint = "another process is writing: try again" if "locked" in str(error) else None
-            raise InputFileError(f"cannot use the store: {error}", self._path, hint=hint) from error
-        except sqlite3.DatabaseError as error:
-            raise InputFileError(
-                f"not a store of plainspoken: {error}", self._path, hint="give another --store"
-            ) from error
-        except OSError as error:
-            raise InputFileError(f"cannot use the store: {error.strerror}", self._path) from error
+        raises InputFileError: when the file is no store
+        """
+        super().__init__(SqliteDatabase(path))
 
 
-@contextmanager
-def _transaction(connection: sqlite3.Connection) -> Iterator[None]:
-    connection.execute("BEGIN IMMEDIATE")
-    try:
-        yield
-    except BaseException:  # Ctrl-C too: half a decision must not stay in the log
-        connection.execute("ROLLBACK")
-        raise
-    connection.execute("COMMIT")
-
-
-def _prepare(connection: sqlite3.Connection) -> None:
-    deadline = clock.monotonic() + BUSY_SECONDS
-    while True:
-        try:
-            connection.execute("PRAGMA journal_mode = WAL")
-            break
-        except sqlite3.OperationalError as error:
-            # The change to WAL does not wait its turn as a transaction does.
-            if "locked" not in str(error) or clock.monotonic() > deadline:
-                raise
-            clock.sleep(0.01)
-    # A command is on disk before the robot hears it, even if the power fails then.
-    connection.execute("PRAGMA synchronous = FULL")
-    with _transaction(connection):
-        (version,) = connection.execute("PRAGMA user_version").fetchone()
-        for number, change in enumerate(CHANGES[version:], start=version + 1):
-            change(connection)
-            connection.execute(f"PRAGMA user_version = {number}")
-
-
-def m001_entries(connection: sqlite3.Connection) -> None:
-    """The first table. Its triggers refuse what an append-only log never does."""
-    connection.execute(
-        "CREATE TABLE entry (mission TEXT NOT NULL, step INTEGER NOT NULL,"
-        " document TEXT NOT NULL, hash TEXT NOT NULL, PRIMARY KEY (mission, step))"
+def _end(session: Session, mission: MissionId) -> tuple[Step, Hash]:
+    """The next step of a mission, and the hash to chain it to."""
+    rows = session.rows(
+        "SELECT step, hash FROM entry WHERE mission = ? ORDER BY step DESC LIMIT 1", (mission,)
     )
-    for deed in ("UPDATE", "DELETE"):
-        connection.execute(
-            f"CREATE TRIGGER no_{deed.lower()} BEFORE {deed} ON entry"
-            " BEGIN SELECT RAISE(ABORT, 'the log is only ever appended to'); END"
+    return (rows[0][0] + 1, rows[0][1]) if rows else (0, genesis(mission))
+
+
+def _insert(
+    session: Session, mission: MissionId, previous: Hash, texts: Sequence[tuple[Step, str]]
+) -> None:
+    for step, text in texts:
+        previous = chained(previous, text)
+        session.change(
+            "INSERT INTO entry (mission, step, document, hash) VALUES (?, ?, ?, ?)",
+            (mission, step, text, previous),
         )
-
-
-CHANGES: tuple[Callable[[sqlite3.Connection], None], ...] = (m001_entries,)
-"""Each changes the tables of a store by one version; none is ever edited."""

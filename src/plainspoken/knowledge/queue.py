@@ -1,0 +1,196 @@
+"""Whose turn it is: missions that wait for their robots, and the workers that carry them out.
+
+A mission has a place in the queue from when it is begun until it is over, reserves its robots in
+the order of places, and is carried out by one worker at a time. Two things keep two workers apart:
+a worker that is not heard of loses its missions, and one that writes to the log of a mission that
+it lost is refused there, before its robot hears of anything. The log says how a mission stands;
+`standing` only says whether it is worth a worker's look.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from plainspoken.knowledge.chain import MissionId
+from plainspoken.knowledge.database import Database, Session, WorkerId
+from plainspoken.world.event import Step
+
+RobotName = str
+LetterNumber = int
+Seconds = float
+
+LEASE: Seconds = 3.0
+"""A worker that was not heard of for so long has lost its missions."""
+
+
+class Standing(StrEnum):
+    """What a mission needs of a worker."""
+
+    GOING = "going"
+    """It is to be carried out."""
+    RESTING = "resting"
+    """Nothing, until somebody asks for something. It keeps its robots."""
+    OVER = "over"
+    """Nothing, ever."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A mission in the queue.
+
+    worker:  who carries it out, None where nobody does
+    trouble: why the last worker could not go on with it
+    """
+
+    mission: MissionId
+    standing: Standing
+    robots: tuple[RobotName, ...]
+    worker: WorkerId | None
+    trouble: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """Something asked of a mission; document: see `mission.mailbox`."""
+
+    number: LetterNumber
+    mission: MissionId
+    document: str
+
+
+def enlist(
+    session: Session, mission: MissionId, robots: Iterable[RobotName], worker: WorkerId | None
+) -> None:
+    """Give a new mission a place, behind all others; worker: who has it already."""
+    session.change(
+        "INSERT INTO place (mission, standing, worker) VALUES (?, ?, ?)",
+        (mission, Standing.GOING, worker),
+    )
+    for robot in sorted(set(robots)):
+        session.change("INSERT INTO reservation (mission, robot) VALUES (?, ?)", (mission, robot))
+
+
+def places(session: Session) -> tuple[Place, ...]:
+    """Every place, in order."""
+    robots: dict[MissionId, list[RobotName]] = {}
+    for mission, robot in session.rows("SELECT mission, robot FROM reservation ORDER BY robot"):
+        robots.setdefault(mission, []).append(robot)
+    rows = session.rows("SELECT mission, standing, worker, trouble FROM place ORDER BY number")
+    return tuple(
+        Place(mission, Standing(standing), tuple(robots.get(mission, ())), worker, trouble)
+        for mission, standing, worker, trouble in rows
+    )
+
+
+_FREE = """
+SELECT number, mission FROM place AS p WHERE p.worker IS NULL
+ AND (p.standing = 'going' OR (p.standing = 'resting' AND EXISTS (
+   SELECT 1 FROM letter WHERE letter.mission = p.mission AND letter.answered IS NULL)))
+ AND NOT EXISTS (
+   SELECT 1 FROM reservation AS mine
+   JOIN reservation AS theirs ON theirs.robot = mine.robot AND theirs.mission <> mine.mission
+   JOIN place AS q ON q.mission = theirs.mission
+   WHERE mine.mission = p.mission AND q.number < p.number AND q.standing <> 'over')
+ ORDER BY number LIMIT ?
+"""
+"""Missions that nobody carries out, though somebody could: all their robots' turns are theirs."""
+
+
+def free(session: Session, most: int) -> list[MissionId]:
+    """Missions to carry out, first come first served for each robot."""
+    return [mission for _, mission in session.rows(_FREE, (most,))]
+
+
+def claim(session: Session, worker: WorkerId, mission: MissionId) -> bool:
+    """Take a mission that nobody carries out; False where somebody was quicker."""
+    return bool(
+        session.change(
+            "UPDATE place SET worker = ?, trouble = NULL WHERE mission = ? AND worker IS NULL"
+            " AND standing <> 'over' AND EXISTS (SELECT 1 FROM worker WHERE id = ?)",
+            (worker, mission, worker),
+        )
+    )
+
+
+def release(
+    session: Session,
+    worker: WorkerId,
+    mission: MissionId,
+    standing: Standing,
+    trouble: str | None = None,
+) -> None:
+    """Hand a mission back, unless somebody else has it by now."""
+    session.change(
+        "UPDATE place SET worker = NULL, standing = ?, trouble = ?"
+        " WHERE mission = ? AND worker = ?",
+        (standing, trouble, mission, worker),
+    )
+
+
+def post(session: Session, mission: MissionId, document: str) -> LetterNumber | None:
+    """Put something into the mailbox of a mission; None where it is over, or has no place."""
+    found = session.rows(
+        "INSERT INTO letter (mission, document, posted) SELECT mission, ?, {now} FROM place"
+        " WHERE mission = ? AND standing <> 'over' RETURNING number",
+        (document, mission),
+    )
+    return found[0][0] if found else None
+
+
+def letters(session: Session, worker: WorkerId) -> tuple[Letter, ...]:
+    """What was asked of a worker's missions, and is not in their logs yet."""
+    rows = session.rows(
+        "SELECT letter.number, letter.mission, document FROM letter"
+        " JOIN place ON place.mission = letter.mission"
+        " WHERE place.worker = ? AND letter.answered IS NULL ORDER BY letter.number",
+        (worker,),
+    )
+    return tuple(Letter(*row) for row in rows)
+
+
+def unanswered(session: Session, mission: MissionId) -> tuple[Letter, ...]:
+    """What was asked of a mission, and is not in its log yet."""
+    rows = session.rows(
+        "SELECT number, mission, document FROM letter WHERE mission = ? AND answered IS NULL"
+        " ORDER BY number",
+        (mission,),
+    )
+    return tuple(Letter(*row) for row in rows)
+
+
+def answer(session: Session, mission: MissionId, upto: LetterNumber, step: Step) -> None:
+    """Note that what was asked, up to a letter, is in the log at a step."""
+    session.change(
+        "UPDATE letter SET answered = ? WHERE mission = ? AND number <= ? AND answered IS NULL",
+        (step, mission, upto),
+    )
+
+
+def enrol(session: Session, worker: WorkerId) -> None:
+    """Begin as a worker."""
+    session.change("INSERT INTO worker (id, heard) VALUES (?, {now})", (worker,))
+
+
+def beat(session: Session, worker: WorkerId) -> bool:
+    """Be heard of; False where that comes too late, and the worker's missions are lost."""
+    return bool(session.change("UPDATE worker SET heard = {now} WHERE id = ?", (worker,)))
+
+
+def workers(session: Session) -> tuple[WorkerId, ...]:
+    """Those who carry missions out, as far as is known."""
+    return tuple(id for (id,) in session.rows("SELECT id FROM worker ORDER BY heard"))
+
+
+def dead(database: Database, session: Session, lease: Seconds = LEASE) -> list[WorkerId]:
+    """Workers that were not heard of for too long, or are certain to have ended."""
+    rows = session.rows("SELECT id, {now} - heard FROM worker")
+    return [id for id, silence in rows if silence > lease or database.is_gone(id)]
+
+
+def bury(session: Session, gone: Sequence[WorkerId]) -> None:
+    """Take their missions from workers that are gone."""
+    for worker in gone:
+        session.change("UPDATE place SET worker = NULL WHERE worker = ?", (worker,))
+        session.change("DELETE FROM worker WHERE id = ?", (worker,))
