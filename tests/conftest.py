@@ -3,6 +3,9 @@
 import os
 
 from hypothesis import settings
+from tests.stores import postgres, store, store_url
+
+__all__ = ["postgres", "store", "store_url"]
 
 # No deadline in either: the first draw of a planning task may take a second on a cold machine.
 settings.register_profile("default", deadline=None, print_blob=True)

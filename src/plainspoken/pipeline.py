@@ -157,10 +157,17 @@ def carry_out(
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out; gives each entry of its log once it is stored."""
     from plainspoken.mission.executive import accept
-    from plainspoken.mission.request import acceptance
     from plainspoken.mission.run import run_mission
 
-    accepted = acceptance(
+    start = accept(accepted_as(site, request), policy)
+    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+
+
+def accepted_as(site: Site, request: Request) -> MissionAccepted:
+    """What the log of a mission begins with."""
+    from plainspoken.mission.request import acceptance
+
+    return acceptance(
         request.mission,
         site.problem,
         request.goal,
@@ -171,8 +178,6 @@ def carry_out(
         landmarks=landmarks_to_json(site.landmarks),
         robot=request.robot,
     )
-    start = accept(accepted, policy)
-    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
 
 
 def go_on(
@@ -192,6 +197,28 @@ def go_on(
     from plainspoken.mission.run import run_mission
 
     start = advance(mission_from(entries), ResumeAsked(by))
+    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+
+
+def take_up(
+    site: Site,
+    entries: Sequence[Entry],
+    robot: Robot,
+    record: Record,
+    *,
+    by: str,
+    requests: Requests,
+    patience: Patience | None = None,
+) -> Generator[Entry, None, Mission]:
+    """Go on with a mission as it stands: a paused one stays paused until a request resumes it."""
+    from plainspoken.mission.executive import Advance, advance
+    from plainspoken.mission.mission import mission_from
+    from plainspoken.mission.observation import TakeUpAsked
+    from plainspoken.mission.run import run_mission
+
+    mission = mission_from(entries)
+    first = requests() if mission.is_at_rest else TakeUpAsked(by)
+    start = Advance(mission, (), ()) if first is None else advance(mission, first)
     return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
 
 

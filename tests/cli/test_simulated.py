@@ -17,13 +17,13 @@ SITE = Site(PROBLEM, DOMAIN_TEXT, PROBLEM_TEXT)
 def test_a_resumed_mission_finds_its_robot_as_it_was_set(settings: Settings) -> None:
     again = Settings.of(settings.to_json())
     assert again.to_json() == settings.to_json()
-    assert type(simulated(SITE, again, pace=0.0)[0]) is (
+    assert type(simulated(SITE, again, mission="m")[0]) is (
         FaultyRobot if settings.faults else Simulator
     )
 
 
 def test_a_robot_that_faults_strike_is_timed_by_its_own_clock() -> None:
-    robot, patience = simulated(SITE, Settings(faults=["lost:1"]), pace=0.0)
+    robot, patience = simulated(SITE, Settings(faults=["lost:1"]), mission="m")
     assert patience.action("anything") == PATIENT_SECONDS
     before = patience.clock()
     patience.sleep(10.0)
@@ -33,6 +33,6 @@ def test_a_robot_that_faults_strike_is_timed_by_its_own_clock() -> None:
 
 def test_what_is_no_wish_and_no_fault_is_refused() -> None:
     with pytest.raises(PlainspokenError):
-        simulated(SITE, Settings(faults=["sulking"]), pace=0.0)
+        simulated(SITE, Settings(faults=["sulking"]), mission="m")
     with pytest.raises(PlainspokenError):
-        simulated(SITE, Settings(steering=["happy rob"]), pace=0.0)
+        simulated(SITE, Settings(steering=["happy rob"]), mission="m")

@@ -2,36 +2,19 @@
 
 import json
 import threading
-from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from tests.mission.small_vineyard import accepted
 
+from plainspoken.cli.store import open_store
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.log import OvertakenError
 from plainspoken.knowledge.queue import Standing
-from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.knowledge.store import Store
 from plainspoken.logic.syntax import parse
 from plainspoken.world.event import Paused, Resumed
 
 GOAL = parse("F cleared_l0")
-
-
-@pytest.fixture
-def place_of_the_store(tmp_path: Path) -> str:
-    return str(tmp_path / "store.sqlite")
-
-
-def opened(place: str) -> Store:
-    return Store(SqliteDatabase(place))
-
-
-@pytest.fixture
-def store(place_of_the_store: str) -> Iterator[Store]:
-    with opened(place_of_the_store) as store:
-        yield store
 
 
 def begun(store: Store, mission: str, *robots: str, worker: str | None = None) -> None:
@@ -49,11 +32,9 @@ def silence(store: Store, worker: str, seconds: float) -> None:
         session.change("UPDATE worker SET heard = heard - ? WHERE id = ?", (seconds, worker))
 
 
-def test_of_two_who_write_the_same_step_the_second_is_refused(
-    store: Store, place_of_the_store: str
-) -> None:
+def test_of_two_who_write_the_same_step_the_second_is_refused(store: Store, store_url: str) -> None:
     begun(store, "m", "rob")
-    with opened(place_of_the_store) as other:
+    with open_store(store_url) as other:
         other.append("m", "t", 0, [Paused("ada")], at=1)
         with pytest.raises(OvertakenError):
             store.append("m", "t", 0, [Resumed("bob"), Paused("bob")], at=1)
@@ -62,14 +43,12 @@ def test_of_two_who_write_the_same_step_the_second_is_refused(
     assert store.verify("m") is None
 
 
-def test_of_many_who_race_for_each_step_exactly_one_writes_it(
-    store: Store, place_of_the_store: str
-) -> None:
+def test_of_many_who_race_for_each_step_exactly_one_writes_it(store: Store, store_url: str) -> None:
     begun(store, "m", "rob")
     won: list[int] = []
 
     def race(name: str) -> None:
-        with opened(place_of_the_store) as mine:
+        with open_store(store_url) as mine:
             for step in range(1, 30):
                 try:
                     mine.append("m", "t", 0, [Paused(name)], at=step)

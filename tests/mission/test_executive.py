@@ -4,8 +4,8 @@ from tests.mission.small_vineyard import PROBLEM, accepted, policy_for, replanne
 from plainspoken.logic.formula import Formula
 from plainspoken.logic.syntax import parse
 from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Send
-from plainspoken.mission.executive import Advance, accept, advance
-from plainspoken.mission.mission import Limits, Status
+from plainspoken.mission.executive import Advance, accept, advance, queued
+from plainspoken.mission.mission import Limits, Status, mission_from
 from plainspoken.mission.observation import (
     ActionDone,
     ActionNotDone,
@@ -16,11 +16,13 @@ from plainspoken.mission.observation import (
     Planned,
     ResumeAsked,
     Sensed,
+    TakeUpAsked,
     Told,
 )
 from plainspoken.world.domain import State
 from plainspoken.world.event import (
     DeviationNoticed,
+    Entry,
     MissionEnded,
     ObservationMade,
     PolicyChosen,
@@ -337,3 +339,35 @@ def test_an_observation_between_actions_that_changes_nothing_is_not_kept() -> No
     changed = advance(now.mission, Sensed("camera", now.mission.world | {"full b"}))
     assert isinstance(changed.events[0], ObservationMade)
     assert changed.events[0].added == ("full b",)
+
+
+def test_a_mission_that_is_queued_has_its_policy_and_no_action_yet() -> None:
+    events = queued(accepted(CLEARED), policy_for(CLEARED))
+    assert [event.kind for event in events] == ["mission_accepted", "policy_chosen"]
+
+
+def test_a_queued_mission_looks_at_the_world_before_its_first_action() -> None:
+    events = queued(accepted(CLEARED), policy_for(CLEARED))
+    mission = mission_from([Entry(step, "t", 0, event) for step, event in enumerate(events)])
+    taken = advance(mission, TakeUpAsked("w"))
+    assert taken.commands == (Look(),)
+    seen = advance(taken.mission, Sensed("robot", START))
+    assert kinds(seen) == ["observation_made", "action_started"]
+
+
+def test_whoever_takes_over_asks_about_the_action_under_way() -> None:
+    now = started()
+    taken = advance(now.mission, TakeUpAsked("w"))
+    assert kinds(taken) == ["taken_up"]
+    assert taken.commands == (Attach("m/1"),)
+
+
+def test_whoever_takes_over_leaves_a_pause_and_a_cancellation_as_they_are() -> None:
+    now = started()
+    paused = advance(now.mission, PauseAsked("ada"))
+    taken = advance(paused.mission, TakeUpAsked("w"))
+    assert taken.mission.status is Status.PAUSED
+    assert taken.commands == (Attach("m/1"),)
+    cancelled = advance(now.mission, CancelAsked("ada"))
+    taken = advance(cancelled.mission, TakeUpAsked("w"))
+    assert taken.commands == (Attach("m/1"), CancelAction("m/1"))

@@ -17,9 +17,10 @@ COMMANDS = {
     "check": "Validate a policy from the PDDL and the formula alone.",
     "export": "Write a policy or an automaton for other tools.",
     "run": "Carry a mission out and record it.",
+    "work": "Carry out the missions that wait in a store, as a worker.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
     "eval": "Measure how well sentences are understood.",
-    "missions": "List the missions in a store.",
+    "missions": "List missions; pause, resume or cancel one; write its log.",
     "doctor": "See what is installed, and which symbols a problem has.",
 }
 

@@ -11,8 +11,8 @@ from typing import Any
 import click
 
 from plainspoken.cli.batch import batch_options, run_batch
-from plainspoken.cli.record import entries_of
 from plainspoken.cli.site import FILE
+from plainspoken.cli.store import entries_of, store_option
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl
 from plainspoken.questions.answer import answer_at
@@ -25,7 +25,7 @@ from plainspoken.world.event import Entry
 @click.argument("question", required=False)
 @click.option("--log", type=FILE, metavar="RUN", help="The events that run --log wrote.")
 @click.option("--mission", metavar="ID", help="A mission in the store (default: the last one).")
-@click.option("--store", metavar="URL", help="Where missions are kept: sqlite:///PATH or PATH.")
+@store_option
 @click.option("--at", type=click.IntRange(min=0), metavar="STEP", help="Answer as if asked then.")
 @batch_options("question")
 @click.option("--full", is_flag=True, help="Tell every fact that matters, not the main ones.")

@@ -164,7 +164,7 @@ def _play(
     console.print(Rule("the mission", style="dim"))
     with ExitStack() as stack:
         kept = stack.enter_context(SqliteLog(store_path(store)))
-        record = recorder(kept, request.mission, None, utc_now)
+        record = recorder(kept, request.mission, utc_now)
         events = carry_out(site, request, policy, simulator, record)
         with clock if pace == 0.0 else ExitStack():
             watch(events, board, console, until=half_way)

@@ -16,6 +16,8 @@ from rich.markup import escape
 from rich.table import Table
 
 from plainspoken.cli.site import chosen_site, site_options
+from plainspoken.cli.store import STORE_VARIABLE
+from plainspoken.knowledge.database import without_password
 from plainspoken.knowledge.log import store_path
 
 PACKAGES = {
@@ -46,9 +48,11 @@ def doctor(
     ]
     for name, (use, remedy) in PROGRAMS.items():
         findings.append((name, shutil.which(name) or "", use, remedy))
+    remedy = "pip install 'plainspoken[postgres]'"
+    findings.append(("psycopg", _version("psycopg"), "--store postgresql://...", remedy))
     findings += model_findings(os.environ)
-    store = store_path(None)
-    findings.append(("store", str(store), "logs of missions", ""))
+    store = os.environ.get(STORE_VARIABLE) or str(store_path(None))
+    findings.append(("store", without_password(store), "missions", ""))
     if as_json:
         keys = ("name", "found", "use", "remedy")
         click.echo(json.dumps([dict(zip(keys, row, strict=True)) for row in findings], indent=2))

@@ -1,8 +1,9 @@
-"""`plainspoken missions`: what is in a store, going on with it, and its log."""
+"""`plainspoken missions`: what is in a store, what is asked of a mission, and its log."""
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -13,85 +14,156 @@ from rich.console import Console
 from rich.table import Table
 
 from plainspoken.cli.exit import NO
-from plainspoken.cli.record import entries_of, fresh_file, recorder, utc_now
+from plainspoken.cli.foreground import going_on
+from plainspoken.cli.record import fresh_file
 from plainspoken.cli.run import ended, shown
-from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE
+from plainspoken.cli.store import entries_in, open_store, store_option
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
-from plainspoken.knowledge.log import SqliteLog, store_path
-from plainspoken.mission.mission import mission_from
-from plainspoken.pipeline import accepted_of, go_on, site_of
+from plainspoken.knowledge.queue import Place
+from plainspoken.knowledge.store import Store
+from plainspoken.mission.mailbox import Asked, to_letter
+from plainspoken.mission.mission import Mission, mission_from
+from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
+from plainspoken.pipeline import accepted_of, site_of
+from plainspoken.work.asking import Reply, ask_of
+from plainspoken.work.shift import Shift, robots_of, standing_of
 from plainspoken.world.event import Entry
 
-_store = click.option(
-    "--store", metavar="URL", help="Where missions are kept: sqlite:///PATH or PATH."
-)
+BY = "command line"
+
+_json = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 
 @click.group(invoke_without_command=True)
-@_store
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@store_option
+@_json
 @click.pass_context
 def missions(context: click.Context, store: str | None, *, as_json: bool) -> None:
-    """List the missions in a store, go on with one, or write its log to a file."""
+    """List the missions in a store; pause, resume or cancel one; write its log to a file.
+
+    What is asked of a mission reaches it wherever it is carried out.
+    """
     if context.invoked_subcommand is not None:
         return
-    with SqliteLog(store_path(store)) as kept:
-        found = [_summary(kept.entries(id)) for id in kept.missions()]
+    with open_store(store) as kept:
+        places = {place.mission: place for place in kept.places()}
+        found = [_summary(kept.entries(id), places.get(id)) for id in kept.missions()]
+        title = kept.database.place
     if as_json:
         click.echo(json.dumps(found, indent=2, ensure_ascii=False))
     elif not found:
         click.echo("no missions yet; try: plainspoken run --say 'Clear line 2'")
     else:
-        table = Table("mission", "status", "instants", "asked for", title=str(store_path(store)))
+        table = Table("mission", "status", "instants", "carried out by", "asked for", title=title)
         for one in found:
-            table.add_row(one["mission"], one["status"], str(one["instant"]), one["request"])
+            by = one["worker"] or ("" if one["over"] else one["trouble"] or "nobody")
+            table.add_row(one["mission"], one["status"], str(one["instant"]), by, one["request"])
         Console().print(table)
 
 
-def _summary(entries: Sequence[Entry]) -> dict[str, Any]:
+def _summary(entries: Sequence[Entry], place: Place | None) -> dict[str, Any]:
     mission, accepted = mission_from(entries), accepted_of(entries)
     return {
         "mission": mission.id,
         "status": str(mission.status),
+        "over": mission.is_over,
         "instant": mission.instant,
         "satisfied": mission.satisfied,
         "request": accepted.sentence or accepted.goal,
+        "robots": list(place.robots) if place else [],
+        "worker": place.worker if place else None,
+        "trouble": place.trouble if place else None,
     }
 
 
 @missions.command()
 @click.argument("id")
-@_store
+@store_option
 @click.option("--json", "as_json", is_flag=True, help="Print the events, one JSON object a line.")
-@click.option("--pace", type=click.FloatRange(min=0), default=0.0, metavar="X", help="As in run.")
-def resume(id: str, store: str | None, pace: float, *, as_json: bool) -> None:
-    """Go on with the mission ID, which was paused or killed."""
-    entries = entries_of(id, store)
-    accepted = accepted_of(entries)
-    if mission_from(entries).is_over:
-        raise PlainspokenError(f"the mission {id} is over", hint="`plainspoken ask` tells of it")
-    site = site_of(accepted)
-    simulator, patience = simulated(site, Settings.of(accepted.robot), pace=pace, entries=entries)
-    with SqliteLog(store_path(store)) as kept:
-        record = recorder(kept, id, None, utc_now)
-        events = go_on(site, entries, simulator, record, by="command line", patience=patience)
-        mission = shown(events, site, as_json=as_json)
+@click.option("--pace", type=click.FloatRange(min=0), metavar="X", help="As in run.")
+@click.option("--detach", is_flag=True, help="Leave it to `plainspoken work`.")
+def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, detach: bool) -> None:
+    """Go on with the mission ID, which was paused or killed.
+
+    Here, where you see it, unless a worker carries it out.
+    """
+    with ExitStack() as stack:
+        kept = stack.enter_context(open_store(store))
+        entries = entries_in(kept, id)
+        _not_over(mission_from(entries))
+        asked = ResumeAsked(BY)
+        if kept.place(id) is None:
+            kept.enlist(id, robots_of(accepted_of(entries)))
+        if detach:
+            _tell(_ask(kept, id, asked), "resumed")
+            return
+        shift = stack.enter_context(Shift(kept))
+        held = shift.take(id)
+        if held is None:
+            _tell(_ask(kept, id, asked), "resumed")
+            return
+        kept.post(id, to_letter(asked))
+        site = site_of(accepted_of(entries))
+        mission = shown(going_on(shift, held, site, pace=pace), site, as_json=as_json)
+        shift.hand_back(held, standing_of(mission))
     ended(mission)
 
 
 @missions.command()
 @click.argument("id")
-@_store
+@store_option
+def pause(id: str, store: str | None) -> None:
+    """Have the mission ID start no further action; one under way comes to its end."""
+    with open_store(store) as kept:
+        _tell(_ask(kept, id, PauseAsked(BY)), "paused")
+
+
+@missions.command()
+@click.argument("id")
+@store_option
+def cancel(id: str, store: str | None) -> None:
+    """Give the mission ID up; an action under way is cancelled if the robot can."""
+    with open_store(store) as kept:
+        _tell(_ask(kept, id, CancelAsked(BY)), "cancelled")
+
+
+def _ask(kept: Store, id: str, asked: Asked) -> Reply:
+    entries = entries_in(kept, id)
+    _not_over(mission_from(entries))
+    return ask_of(kept, id, asked, robots_of(accepted_of(entries)))
+
+
+def _tell(reply: Reply, done: str) -> None:
+    """Say what became of a request; exit with 3 where nobody has heard it yet."""
+    goal = reply.mission.in_flight
+    if not reply.heard:
+        click.echo(f"asked; {reply.worker or 'whoever takes it up'} has not answered yet", err=True)
+        sys.exit(NO)
+    text = done if goal is None else f"{done}; {goal.action} is under way"
+    if reply.worker is None and not (reply.mission.is_over or reply.mission.is_at_rest):
+        text += ", and nobody carries the mission out: start a worker with `plainspoken work`"
+    click.echo(text)
+
+
+def _not_over(mission: Mission) -> None:
+    if mission.is_over:
+        raise PlainspokenError(
+            f"the mission {mission.id} is over", hint="`plainspoken ask` tells of it"
+        )
+
+
+@missions.command()
+@click.argument("id")
+@store_option
 @click.option("--out", type=FILE, required=True, metavar="FILE", help="Where to.")
 @click.option("--overwrite", is_flag=True, help="Replace the file.")
 def log(id: str, store: str | None, out: Path, *, overwrite: bool) -> None:
     """Write the log of the mission ID as JSON lines, after checking that nobody changed it."""
-    entries_of(id, store)
-    fresh_file(out, overwrite=overwrite)
-    with ExitStack() as stack:
-        kept = stack.enter_context(SqliteLog(store_path(store)))
+    with open_store(store) as kept:
+        entries_in(kept, id)
+        fresh_file(out, overwrite=overwrite)
         broken = kept.verify(id)
         if broken is not None:
             click.echo(f"plainspoken: step {broken.step}: {broken.what}", err=True)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
-from plainspoken.errors import InputFileError, PlainspokenError
+from plainspoken.errors import InputFileError
 from plainspoken.knowledge.jsonl import JsonlWriter
-from plainspoken.knowledge.log import EventLog, SqliteLog, store_path
+from plainspoken.knowledge.log import EventLog
 from plainspoken.mission.mission import MissionId
 from plainspoken.mission.run import Record
 from plainspoken.world.event import Entry, Event, Instant
@@ -25,18 +25,25 @@ def utc_now() -> datetime:
     return datetime.now(UTC)
 
 
-def recorder(
-    kept: EventLog, mission: MissionId, file: JsonlWriter | None, now: Callable[[], datetime]
-) -> Record:
+def written_too(record: Record, file: JsonlWriter | None) -> Record:
     """Stores events first, then writes them to the file."""
 
-    def record(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
-        time = now().isoformat(timespec="milliseconds")
-        entries = kept.append(mission, time, instant, events)
+    def recorded(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
+        entries = record(instant, events)
         if file is not None:
             for entry in entries:
                 file.write(entry)
         return entries
+
+    return recorded
+
+
+def recorder(kept: EventLog, mission: MissionId, now: Callable[[], datetime]) -> Record:
+    """Stores events of a mission that nobody else knows of."""
+
+    def record(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
+        time = now().isoformat(timespec="milliseconds")
+        return kept.append(mission, time, instant, events)
 
     return record
 
@@ -54,21 +61,3 @@ def fresh_file(path: Path, *, overwrite: bool) -> None:
                 hint="give another name, or --overwrite to replace it",
             )
         path.unlink()
-
-
-def entries_of(mission: str | None, store: str | None) -> Sequence[Entry]:
-    """The log of a mission in the store, of the last one where none is named.
-
-    raises PlainspokenError: when the store has no such mission
-    """
-    path = store_path(store)
-    with SqliteLog(path) as kept:
-        known = kept.missions()
-        id = mission if mission is not None else (known[-1] if known else None)
-        if id not in known or id is None:
-            raise PlainspokenError(
-                "there are no missions yet" if mission is None else f"no mission {mission!r}",
-                where=str(path),
-                hint="`plainspoken missions` lists them; `plainspoken run` starts one",
-            )
-        return kept.entries(id)

@@ -12,18 +12,21 @@ import click
 from rich.console import Console
 
 from plainspoken.cli.exit import NO
+from plainspoken.cli.foreground import going_on
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
-from plainspoken.cli.record import fresh_file, new_mission_id, recorder, utc_now
+from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
 from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE, chosen_site, site_options
+from plainspoken.cli.store import open_store, store_option
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
-from plainspoken.knowledge.log import SqliteLog, store_path
+from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission, Status
-from plainspoken.pipeline import Request, Site, carry_out, find_policy, why_not
+from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.solver import Solved
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.work.shift import Shift, robots_of, standing_of
 from plainspoken.world.event import Entry
 
 Run = Generator[Entry, None, Mission]
@@ -69,7 +72,23 @@ Run = Generator[Entry, None, Mission]
     help="Real seconds for each simulated second.",
     show_default=True,
 )
-@click.option("--store", metavar="URL", help="Where missions are kept: sqlite:///PATH or PATH.")
+@click.option(
+    "--robot-name",
+    metavar="NAME",
+    help="Whose turn it is: missions of robots of one name wait for each other.",
+)
+@click.option(
+    "--world",
+    type=FILE,
+    metavar="FILE",
+    help="Keep the simulated world there: like a real robot's, it goes on when this is killed.",
+)
+@click.option(
+    "--detach",
+    is_flag=True,
+    help="Leave the mission to `plainspoken work`: print its name, and return.",
+)
+@store_option
 @click.option("--log", type=FILE, metavar="FILE", help="Write the events as JSON lines, too.")
 @click.option("--overwrite", is_flag=True, help="Replace the file that --log names.")
 @click.option("--timeout", type=click.FloatRange(min=0), metavar="S", help="Seconds to plan in.")
@@ -87,6 +106,9 @@ def run(
     faults: tuple[str, ...],
     action_timeout: float | None,
     pace: float,
+    robot_name: str | None,
+    world: Path | None,
+    detach: bool,
     store: str | None,
     log: Path | None,
     timeout: float | None,
@@ -95,19 +117,25 @@ def run(
 ) -> None:
     """Plan, validate, and carry a mission out, recording every event.
 
-    Ctrl-C pauses before the next action, and `missions resume ID` goes on. Exit status 3 where
-    there is no policy, or where the mission did not end satisfied.
+    Ctrl-C pauses before the next action, and `missions resume ID` goes on. With --detach a worker
+    carries the mission out (`plainspoken work`), and goes on with it even after `kill -9`. Exit
+    status 3 where there is no policy, or where the mission did not end satisfied.
 
     \b
     plainspoken run --say "Clear line 2" --steer "unripe g2" --log run.jsonl
     plainspoken run --say "Clear line 2" --fault hanging:0.2 --fault person:0.1
+    plainspoken run --say "Clear line 2" --robot-name rob --detach && plainspoken work
     plainspoken ask "What did you do so far?" --log run.jsonl
     """
     del robot  # the simulator is the only one there is
     site: Site = chosen_site(domain, problem, landmarks)
     formula, _ = chosen_goal(goal, say, site)
-    settings = Settings(seed, steer, faults, action_timeout)
-    simulator, patience = simulated(site, settings, pace=pace)
+    kept_in = None if world is None else str(world.resolve())
+    settings = Settings(seed, steer, faults, action_timeout, pace, robot_name, kept_in)
+    id = new_mission_id(utc_now)
+    simulator, patience = simulated(site, settings, mission=id)
+    if detach and (log is not None or as_json):
+        raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
     with progress_shown() as on_progress:
@@ -115,13 +143,35 @@ def run(
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    request = Request(new_mission_id(utc_now), formula, say, settings.to_json())
+    request = Request(id, formula, say, settings.to_json())
+    accepted = accepted_as(site, request)
+    first, robots = queued(accepted, ending.policy), robots_of(accepted)
     with ExitStack() as stack:
-        kept = stack.enter_context(SqliteLog(store_path(store)))
+        kept = stack.enter_context(open_store(store))
+        if detach:
+            kept.begin(id, utc_now().isoformat(timespec="milliseconds"), first, robots)
+            click.echo(id)
+            if not kept.workers():
+                click.echo("it waits for a worker; start one with: plainspoken work", err=True)
+            return
         file = stack.enter_context(JsonlWriter(log)) if log is not None else None
-        record = recorder(kept, request.mission, file, utc_now)
-        events = carry_out(site, request, ending.policy, simulator, record, patience=patience)
+        shift = stack.enter_context(Shift(kept))
+        held = shift.found(id, robots)
+        if robot_name is None:
+            events = carry_out(
+                site,
+                request,
+                ending.policy,
+                simulator,
+                written_too(held.record, file),
+                requests=held.requests,
+                patience=patience,
+            )
+        else:
+            begun = written_too(held.record, file)(0, first)
+            events = going_on(shift, held, site, first=begun, file=file)
         mission = shown(events, site, as_json=as_json)
+        shift.hand_back(held, standing_of(mission))
     ended(mission)
 
 

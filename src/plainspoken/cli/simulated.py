@@ -6,12 +6,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from plainspoken.errors import PlainspokenError
 from plainspoken.mission.fault import FaultyRobot, fault_from
-from plainspoken.mission.mission import mission_from
+from plainspoken.mission.kept_simulator import KeptSimulator
+from plainspoken.mission.mission import MissionId, mission_from
 from plainspoken.mission.robot import Robot, Seconds
 from plainspoken.mission.run import Patience
 from plainspoken.mission.simulator import Simulator, steering_from
-from plainspoken.pipeline import Site
+from plainspoken.pipeline import Site, accepted_of
 from plainspoken.world.domain import GroundAction, State
 from plainspoken.world.event import ActionFinished, Entry
 
@@ -21,21 +23,35 @@ PATIENT_SECONDS = 60.0
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What a log keeps of the robot; texts as they are given on the command line."""
+    """What a log keeps of the robot; texts as they are given on the command line.
+
+    name:  missions of robots of one name wait for each other
+    world: the file that keeps the robot's world, None where it ends with the process
+    """
 
     seed: int = 0
     steering: Sequence[str] = ()
     faults: Sequence[str] = ()
     limit: Seconds | None = None
+    pace: float = 0.0
+    name: str | None = None
+    world: str | None = None
 
     def to_json(self) -> dict[str, Any]:
         """The field `robot` of an accepted mission."""
-        document = {"robot": "simulator", "seed": self.seed, "steering": list(self.steering)}
+        document: dict[str, Any] = {
+            "robot": "simulator",
+            "seed": self.seed,
+            "steering": list(self.steering),
+        }
         if self.faults:
             document["faults"] = list(self.faults)
         if self.limit is not None:
             document["action_timeout"] = self.limit
-        return document
+        if self.pace:
+            document["pace"] = self.pace
+        named = {"name": self.name, "world": self.world}
+        return document | {key: text for key, text in named.items() if text is not None}
 
     @classmethod
     def of(cls, document: Mapping[str, Any]) -> Settings:
@@ -45,30 +61,69 @@ class Settings:
             document.get("steering", ()),
             document.get("faults", ()),
             document.get("action_timeout"),
+            document.get("pace", 0.0),
+            document.get("name"),
+            document.get("world"),
         )
 
 
 def simulated(
-    site: Site, settings: Settings, *, pace: float, entries: Sequence[Entry] = ()
+    site: Site,
+    settings: Settings,
+    *,
+    mission: MissionId,
+    pace: float | None = None,
+    entries: Sequence[Entry] = (),
 ) -> tuple[Robot, Patience]:
     """The robot of a mission with such a log so far, and what the mission is timed by.
 
-    raises PlainspokenError: when a wish or a fault cannot be read
+    pace: None for the one in the settings
+    raises PlainspokenError: when a wish or a fault cannot be read, or faults are to strike a robot
+        whose world is kept in a file
     """
+    steering = [steering_from(text, site.problem) for text in settings.steering]
+    faults = tuple(fault_from(text) for text in settings.faults)
+    pace = settings.pace if pace is None else pace
+    if settings.world is not None:
+        if faults:
+            raise PlainspokenError(
+                "no fault strikes a robot whose world is kept in a file",
+                hint="leave out --fault or --world",
+            )
+        kept = KeptSimulator(
+            settings.world,
+            mission,
+            site.problem,
+            seed=settings.seed,
+            steering=steering,
+            pace=pace,
+        )
+        return kept, Patience(action=lambda _: settings.limit)
     simulator = Simulator(
         site.problem,
         seed=settings.seed,
-        steering=[steering_from(text, site.problem) for text in settings.steering],
+        steering=steering,
         state=mission_from(entries).world if entries else None,
         history=list(_history(entries)),
         pace=pace,
     )
-    faults = tuple(fault_from(text) for text in settings.faults)
     if not faults:
         return simulator, Patience(action=lambda _: settings.limit)
     robot = FaultyRobot(site.problem, simulator, faults, seed=settings.seed)
     limit = settings.limit or PATIENT_SECONDS
     return robot, Patience(action=lambda _: limit, clock=lambda: robot.elapsed, sleep=robot.sleep)
+
+
+def robot_for(
+    site: Site,
+    set_up: Mapping[str, Any],
+    entries: Sequence[Entry],
+    *,
+    pace: float | None = None,
+) -> tuple[Robot, Patience]:
+    """The robot that the log of a mission names."""
+    mission = accepted_of(entries).mission
+    return simulated(site, Settings.of(set_up), mission=mission, pace=pace, entries=entries)
 
 
 def _history(entries: Sequence[Entry]) -> Iterable[tuple[State, GroundAction]]:

@@ -36,6 +36,7 @@ from plainspoken.world.event import (
     Resumed,
     RobotFound,
     RobotLost,
+    TakenUp,
 )
 
 ROWS = 14
@@ -177,6 +178,8 @@ def remark(event: Event) -> str | None:
             return f"paused by {by}"
         case Resumed(by):
             return f"resumed by {by}"
+        case TakenUp(by):
+            return f"carried out by {by} from here on"
         case _:
             return None
 

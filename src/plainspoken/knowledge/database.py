@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from typing import Any, Protocol
+from urllib.parse import urlsplit
 
 from plainspoken.errors import PlainspokenError
 
@@ -30,6 +31,15 @@ def native(sql: str, words: Mapping[str, str]) -> str:
     for ours, theirs in words.items():
         sql = sql.replace(ours, theirs)
     return sql
+
+
+def without_password(url: str) -> str:
+    """A place that may be shown; paths are as they are."""
+    if "://" not in url:
+        return url
+    parts = urlsplit(url)
+    login, at, host = parts.netloc.rpartition("@")
+    return parts._replace(netloc=f"{login.partition(':')[0]}{at}{host}", query="").geturl()
 
 
 class Session(Protocol):

@@ -84,23 +84,32 @@ def places(session: Session) -> tuple[Place, ...]:
     )
 
 
-_FREE = """
-SELECT number, mission FROM place AS p WHERE p.worker IS NULL
+_AHEAD = """
+SELECT q.mission FROM reservation AS mine
+ JOIN reservation AS theirs ON theirs.robot = mine.robot AND theirs.mission <> mine.mission
+ JOIN place AS q ON q.mission = theirs.mission
+ WHERE mine.mission = p.mission AND q.number < p.number AND q.standing <> 'over'
+"""
+_FREE = f"""
+SELECT p.mission FROM place AS p WHERE p.worker IS NULL
  AND (p.standing = 'going' OR (p.standing = 'resting' AND EXISTS (
    SELECT 1 FROM letter WHERE letter.mission = p.mission AND letter.answered IS NULL)))
- AND NOT EXISTS (
-   SELECT 1 FROM reservation AS mine
-   JOIN reservation AS theirs ON theirs.robot = mine.robot AND theirs.mission <> mine.mission
-   JOIN place AS q ON q.mission = theirs.mission
-   WHERE mine.mission = p.mission AND q.number < p.number AND q.standing <> 'over')
- ORDER BY number LIMIT ?
-"""
-"""Missions that nobody carries out, though somebody could: all their robots' turns are theirs."""
+ AND NOT EXISTS ({_AHEAD}) ORDER BY p.number LIMIT ?
+"""  # noqa: S608 - both parts are ours
+_AHEAD_OF = f"""
+SELECT DISTINCT o.mission FROM place AS p, place AS o
+ WHERE p.mission = ? AND o.mission IN ({_AHEAD})
+"""  # noqa: S608 - both parts are ours
 
 
 def free(session: Session, most: int) -> list[MissionId]:
-    """Missions to carry out, first come first served for each robot."""
-    return [mission for _, mission in session.rows(_FREE, (most,))]
+    """Missions that nobody carries out, and whose turn it is with all their robots."""
+    return [mission for (mission,) in session.rows(_FREE, (most,))]
+
+
+def ahead_of(session: Session, mission: MissionId) -> tuple[MissionId, ...]:
+    """The missions that have a mission's robots before it."""
+    return tuple(sorted(ahead for (ahead,) in session.rows(_AHEAD_OF, (mission,))))
 
 
 def claim(session: Session, worker: WorkerId, mission: MissionId) -> bool:

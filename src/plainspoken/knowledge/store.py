@@ -145,6 +145,11 @@ class Store(Log):
         with self.database.writing() as session:
             return queue.claim(session, worker, mission)
 
+    def ahead_of(self, mission: MissionId) -> tuple[MissionId, ...]:
+        """The missions that have a mission's robots before it."""
+        with self.database.reading() as session:
+            return queue.ahead_of(session, mission)
+
     def release(
         self,
         worker: WorkerId,

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import assert_never
 
 from plainspoken.automata.verdict import Verdict
@@ -55,6 +56,7 @@ from plainspoken.mission.observation import (
     ResumeAsked,
     Sensed,
     Stuck,
+    TakeUpAsked,
     Told,
 )
 from plainspoken.mission.request import clauses_to_json
@@ -83,6 +85,7 @@ from plainspoken.world.event import (
     Resumed,
     RobotFound,
     RobotLost,
+    TakenUp,
     VerdictReached,
 )
 
@@ -109,6 +112,15 @@ def accept(accepted: MissionAccepted, policy: Policy, limits: Limits | None = No
     start = begun(accepted, limits or Limits())
     first = advance(start, Planned(policy))
     return Advance(first.mission, first.commands, (accepted, *first.events))
+
+
+def queued(accepted: MissionAccepted, policy: Policy) -> tuple[Event, ...]:
+    """The first events of a mission that some worker is to begin: all before its first action.
+
+    raises PlainspokenError: as `accept` does
+    """
+    events = accept(accepted, policy).events
+    return tuple(takewhile(lambda event: not isinstance(event, ActionStarted), events))
 
 
 def advance(mission: Mission, observation: Observation) -> Advance:
@@ -147,6 +159,8 @@ def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
             event = Paused(by) if mission.paused_by is None else None
         case ResumeAsked(by):
             event = Resumed(by)
+        case TakeUpAsked(by):
+            event = TakenUp(by)
         case CancelAsked(by):
             event = Cancelled(by) if mission.cancelled_by is None else None
         case _:
@@ -278,7 +292,7 @@ def _commands(mission: Mission, observation: Observation, events: list[Event]) -
     if mission.lost is not None:
         yield Reconnect()
     elif goal is not None:
-        if isinstance(observation, ResumeAsked | Found):
+        if isinstance(observation, ResumeAsked | TakeUpAsked | Found):
             yield Attach(goal.goal_id)
         elif any(isinstance(event, ActionStarted | ActionResent) for event in events):
             yield Send(goal.goal_id, goal.action)

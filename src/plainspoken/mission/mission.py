@@ -49,6 +49,7 @@ from plainspoken.world.event import (
     Resumed,
     RobotFound,
     RobotLost,
+    TakenUp,
     VerdictReached,
 )
 from plainspoken.world.pddl import parse_domain, parse_problem
@@ -261,6 +262,8 @@ def after(mission: Mission, event: Event) -> Mission:
             return replace(mission, paused_by=by)
         case Resumed():
             return replace(mission, paused_by=None, looking=mission.in_flight is None)
+        case TakenUp():
+            return replace(mission, looking=mission.in_flight is None)
         case Cancelled(by):
             return replace(mission, cancelled_by=by)
         case ActionProgressed():
@@ -284,8 +287,9 @@ def after(mission: Mission, event: Event) -> Mission:
 def mission_from(entries: Iterable[Entry], limits: Limits | None = None) -> Mission:
     """The mission as its log leaves it.
 
-    To go on, tell the executive `ResumeAsked`: it will ask the robot about an action that was
-    in flight, and look at the world, before it starts anything.
+    To go on, tell the executive `ResumeAsked`, or `TakeUpAsked` where a pause is to stay: it will
+    ask the robot about an action that was in flight, or look at the world, before it starts
+    anything.
     raises PlainspokenError: when the entries are not the log of one mission
     """
     mission: Mission | None = None

@@ -119,6 +119,13 @@ class ResumeAsked:
 
 
 @dataclass(frozen=True, slots=True)
+class TakeUpAsked:
+    """A worker goes on where another process broke off, or where nobody began."""
+
+    by: str
+
+
+@dataclass(frozen=True, slots=True)
 class CancelAsked:
     by: str
 
@@ -149,5 +156,6 @@ Observation = (
     | NotPlanned
     | PauseAsked
     | ResumeAsked
+    | TakeUpAsked
     | CancelAsked
 )

@@ -124,12 +124,12 @@ class _Edge:
         """Obey the commands, and wait for the next thing that is worth deciding on."""
         mission = now.mission
         try:
-            request = self._requests()
-            if request is not None and mission.in_flight is None:
-                return request
-            answer = self._reached(partial(self._obeyed, now))
+            # A request is decided on as soon as it is taken; while an action is under way, that
+            # is after the robot has the command.
+            request = self._requests() if mission.in_flight is None else None
+            answer = request or self._reached(partial(self._obeyed, now))
             while answer is None:
-                # A request that came with a command waits until the robot has the command.
+                request = self._requests()
                 if request is not None:
                     return request
                 goal = mission.in_flight
@@ -139,7 +139,6 @@ class _Edge:
                     answer = self._reconnected()
                 else:
                     answer = self._reached(partial(self._news, goal))
-                request = self._requests() if answer is None else None
         except KeyboardInterrupt:
             if mission.paused_by is not None:
                 raise

@@ -171,6 +171,17 @@ class Resumed:
 
 
 @dataclass(frozen=True, slots=True)
+class TakenUp:
+    """Another process goes on with the mission; a pause stays, and an action may be under way.
+
+    by: which worker
+    """
+
+    kind: ClassVar[str] = "taken_up"
+    by: str
+
+
+@dataclass(frozen=True, slots=True)
 class Cancelled:
     """The mission is given up; an action that is under way is cancelled if the robot can.
 
@@ -292,6 +303,7 @@ Event = (
     | VerdictReached
     | Paused
     | Resumed
+    | TakenUp
     | Cancelled
     | ActionProgressed
     | ActionResent
@@ -321,6 +333,7 @@ KINDS: Mapping[str, type[Event]] = {
         VerdictReached,
         Paused,
         Resumed,
+        TakenUp,
         Cancelled,
         ActionProgressed,
         ActionResent,
