@@ -45,7 +45,19 @@ def test_help_lists_every_command_with_an_example_and_is_quick(tmp_path: Path) -
 
 @pytest.mark.parametrize(
     "command",
-    ["demo", "extract", "plan", "check", "export", "run", "ask", "missions", "work", "eval", "doctor"],
+    [
+        "demo",
+        "extract",
+        "plan",
+        "check",
+        "export",
+        "run",
+        "ask",
+        "missions",
+        "work",
+        "eval",
+        "doctor",
+    ],
 )
 def test_every_command_has_help(command: str, tmp_path: Path) -> None:
     done = run(command, "--help", cwd=tmp_path)

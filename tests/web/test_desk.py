@@ -6,13 +6,16 @@ from typing import Any
 import pytest
 from tests.mission.small_vineyard import DOMAIN_TEXT, PROBLEM, PROBLEM_TEXT
 
+from plainspoken.cli.store import open_store
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.log import SqliteLog
+from plainspoken.knowledge.log import OvertakenError
+from plainspoken.knowledge.store import Store
 from plainspoken.logic.syntax import parse
 from plainspoken.mission.mission import Status
 from plainspoken.mission.observation import ChangeAsked, Told
 from plainspoken.mission.request import Clause
 from plainspoken.mission.robot import Robot
+from plainspoken.mission.run import Patience
 from plainspoken.mission.simulator import Simulator
 from plainspoken.pipeline import Request, Site
 from plainspoken.planning.solver import Solved
@@ -23,24 +26,22 @@ SITE = Site(PROBLEM, DOMAIN_TEXT, PROBLEM_TEXT)
 GOAL = parse("F(cleared_l0 & F robot_at_rob_wh)")
 
 
-def slow_robot(site: Site, set_up: Mapping[str, Any], entries: Sequence[Entry]) -> Robot:
+def slow_robot(
+    site: Site, set_up: Mapping[str, Any], entries: Sequence[Entry]
+) -> tuple[Robot, Patience]:
     """Each action takes some hundredths of a second."""
     del set_up
     state = None
     for entry in entries:
         state = getattr(entry.event, "state", state)
-    return Simulator(site.problem, state=state, pace=0.01)
+    return Simulator(site.problem, state=state, pace=0.01), Patience(news=0.02)
 
 
 @pytest.fixture
-def desk() -> Iterator[Desk]:
-    with SqliteLog(":memory:") as log:
-        desk = Desk({"vineyard": SITE}, log, slow_robot)
-        yield desk
-        for mission in desk.missions():
-            if desk.is_running(mission):
-                desk.cancel(mission, "the test")
-        until(lambda: not any(map(desk.is_running, desk.missions())))
+def desk(store: Store) -> Iterator[Desk]:
+    desk = Desk({"vineyard": SITE}, store, slow_robot)
+    yield desk
+    desk.close()
 
 
 def until(so: Callable[[], bool]) -> None:
@@ -72,6 +73,7 @@ def test_a_paused_mission_takes_reports_and_goes_on_when_told(desk: Desk) -> Non
     desk.pause(mission, "ada")
     until(lambda: desk.mission(mission).status is Status.PAUSED and not desk.is_running(mission))
     desk.report(mission, Told("ada", "the support robot is at line 0"))
+    until(lambda: desk.entries(mission)[-1].kind == "report_received")
     assert desk.mission(mission).status is Status.PAUSED
     desk.resume(mission, "ada")
     until(lambda: desk.mission(mission).is_over)
@@ -96,9 +98,9 @@ def test_a_changed_mission_is_planned_anew(desk: Desk) -> None:
     assert "request_changed" in {entry.kind for entry in desk.entries(mission)}
 
 
-def test_one_mission_is_carried_out_by_one_thread(desk: Desk) -> None:
+def test_there_is_one_mission_of_a_name(desk: Desk) -> None:
     started(desk)
-    with pytest.raises(PlainspokenError, match="carried out already"):
+    with pytest.raises(OvertakenError):
         started(desk)
 
 
@@ -115,17 +117,34 @@ def test_planning_stops_when_nobody_waits_for_it(desk: Desk) -> None:
         desk.plan("vineyard", GOAL, stopped=stopped)
 
 
-def test_a_desk_that_was_killed_finds_its_missions_again() -> None:
-    with SqliteLog(":memory:") as log:
-        first = Desk({"vineyard": SITE}, log, slow_robot)
-        mission = started(first)
-        until(lambda: first.mission(mission).instant > 0)
-        first.pause(mission, "the test")
-        until(lambda: not first.is_running(mission))
-        second = Desk({"vineyard": SITE}, log, slow_robot)
-        second.resume(mission, "restart")
-        until(lambda: second.mission(mission).is_over)
-        assert second.mission(mission).satisfied
+def test_what_a_desk_leaves_another_one_goes_on_with(store: Store) -> None:
+    first = Desk({"vineyard": SITE}, store, slow_robot)
+    mission = started(first)
+    until(lambda: first.mission(mission).instant > 0)
+    first.close()
+    assert not first.mission(mission).is_over
+    second = Desk({"vineyard": SITE}, store, slow_robot)
+    until(lambda: second.mission(mission).is_over)
+    second.close()
+    assert second.mission(mission).satisfied
+
+
+def test_whoever_watches_sees_what_another_process_carries_out(
+    store: Store, store_url: str
+) -> None:
+    with open_store(store_url) as elsewhere:
+        other = Desk({"vineyard": SITE}, elsewhere, slow_robot)
+        mission = started(other)
+        until(lambda: other.is_running(mission))
+        here = Desk({}, store, slow_robot, most=0)
+        here.pause(mission, "ada")
+        until(lambda: here.mission(mission).status is Status.PAUSED)
+        here.resume(mission, "ada")
+        seen = [entry for some in here.follow(mission) for entry in some]
+        here.close()
+        other.close()
+    assert seen[-1].kind == "mission_ended"
+    assert {"paused", "resumed"} <= {entry.kind for entry in seen}
 
 
 @pytest.mark.parametrize("name", ["", "m2"])

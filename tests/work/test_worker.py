@@ -111,6 +111,18 @@ def test_what_is_asked_of_a_mission_that_nobody_carries_out_is_in_its_log_at_onc
     assert standing(store, "m").status is Status.FINISHED
 
 
+def test_a_mission_at_rest_is_gone_on_with_when_a_letter_comes(
+    store: Store, tmp_path: Path
+) -> None:
+    queue_up(store, "m", tmp_path / "world")
+    ask_of(store, "m", PauseAsked("ada"), ())
+    with at_work(Worker(store, robot_for)):
+        store.post("m", to_letter(Told("ada", "nothing new")))
+        until(lambda: kinds(store, "m")[-1] == "report_received")
+        store.post("m", to_letter(ResumeAsked("ada")))
+        until(lambda: standing(store, "m").is_over)
+
+
 def test_a_worker_that_stops_hands_a_mission_on_with_its_action_under_way(
     store: Store, tmp_path: Path
 ) -> None:

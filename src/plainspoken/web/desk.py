@@ -1,41 +1,33 @@
 """The desk behind the page: what can be asked for here, and the missions that go on.
 
-A desk knows some places, carries missions out on threads of its own, and keeps every event in an
-event log. Whoever watches is told by number: there is something new in the log of this mission.
-Nothing is held only here: a desk that was killed finds its missions again, and goes on.
+A desk knows some places and works on a store: it carries missions out as any worker does, and what
+people ask of a mission reaches it wherever it is carried out. Whoever watches is told by number:
+there is something new in the log of this mission. Nothing is held only here: when a desk is killed,
+its missions are taken over by another worker, or by the next desk.
 """
 
 from __future__ import annotations
 
-import queue
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from datetime import UTC, datetime
+import time
+from collections.abc import Callable, Iterator, Mapping
+from datetime import datetime
 from typing import Any
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.log import EventLog
+from plainspoken.knowledge.store import Store
 from plainspoken.language.extraction import Extraction
 from plainspoken.logic.formula import Formula
-from plainspoken.mission.executive import advance
+from plainspoken.mission.executive import queued
+from plainspoken.mission.mailbox import Asked, to_letter
 from plainspoken.mission.mission import Mission, MissionId, mission_from
-from plainspoken.mission.observation import (
-    CancelAsked,
-    ChangeAsked,
-    Observation,
-    PauseAsked,
-    ResumeAsked,
-    Told,
-)
-from plainspoken.mission.robot import Robot
+from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked, ResumeAsked, Told
 from plainspoken.pipeline import (
     Request,
     Site,
+    accepted_as,
     accepted_of,
-    carry_out,
     find_policy,
-    go_on,
     site_of,
     understand,
 )
@@ -44,38 +36,18 @@ from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.moment import Moment
-from plainspoken.world.event import Entry, Event, Instant, Step
+from plainspoken.work.shift import robots_of, utc_now
+from plainspoken.work.worker import RobotFor, Worker
+from plainspoken.world.event import Entry, Step
 
 PlaceName = str
-RobotFor = Callable[[Site, Mapping[str, Any], Sequence[Entry]], Robot]
-"""Makes the robot that a mission is set for; entries: its log so far, empty for a new one."""
+
+ELSEWHERE = 0.5
+"""Seconds until the log is looked at again for what other processes wrote."""
 
 
 class PlanningStopped(Exception):
     """Somebody did not want to wait for a policy any longer."""
-
-
-@dataclass
-class _Running:
-    """A mission that a thread carries out; requests are looked at between actions.
-
-    begun: set once something of it is in the log, or nothing ever will be
-    """
-
-    requests: queue.SimpleQueue[Observation] = field(default_factory=queue.SimpleQueue)
-    thread: threading.Thread | None = None
-    begun: threading.Event = field(default_factory=threading.Event)
-    error: str | None = None
-
-    @property
-    def is_alive(self) -> bool:
-        return self.thread is not None and self.thread.is_alive()
-
-    def next(self) -> Observation | None:
-        try:
-            return self.requests.get_nowait()
-        except queue.Empty:
-            return None
 
 
 class Desk:
@@ -84,19 +56,26 @@ class Desk:
     def __init__(
         self,
         places: Mapping[PlaceName, Site],
-        log: EventLog,
+        store: Store,
         robot_for: RobotFor,
         *,
-        now: Callable[[], datetime] = lambda: datetime.now(UTC),
+        most: int = 32,
+        now: Callable[[], datetime] = utc_now,
     ) -> None:
+        """Open a desk, which is at work until it is closed; most: missions at once."""
         self.places = places
-        self.log = log
-        self._robot_for = robot_for
+        self.store = store
         self._now = now
-        self._running: dict[MissionId, _Running] = {}
-        self._lock = threading.Lock()
         self._news = threading.Condition()
         self._count = 0
+        self._worker = Worker(store, robot_for, most=most, heard=self._heard, now=now)
+        self._thread = threading.Thread(target=self._worker.run, name="desk", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Hand every mission back as it is."""
+        self._worker.stop()
+        self._thread.join()
 
     # -- before a mission ----------------------------------------------------------------------
 
@@ -128,32 +107,25 @@ class Desk:
 
         return find_policy(self._site(place).problem, goal, timeout=timeout, on_progress=heard)
 
-    def start(
-        self,
-        place: PlaceName,
-        request: Request,
-        policy: Policy,
-    ) -> MissionId:
-        """Carry a mission out on a thread of its own; it is in the log when this returns."""
-        site = self._site(place)
-        robot = self._robot_for(site, request.robot, ())
-        running = _Running()
+    def start(self, place: PlaceName, request: Request, policy: Policy) -> MissionId:
+        """Have a mission carried out; it is in the log when this returns.
 
-        def carried_out(record: Callable[[Instant, Sequence[Event]], Sequence[Entry]]) -> None:
-            for _ in carry_out(site, request, policy, robot, record, requests=running.next):
-                pass
-
-        self._set_off(request.mission, running, carried_out)
+        raises OvertakenError: when there is a mission of that name
+        """
+        accepted = accepted_as(self._site(place), request)
+        time = self._now().isoformat(timespec="milliseconds")
+        self.store.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
+        self._tell()
         return request.mission
 
     # -- missions ------------------------------------------------------------------------------
 
     def missions(self) -> tuple[MissionId, ...]:
         """Every mission of the log, oldest first."""
-        return self.log.missions()
+        return self.store.missions()
 
     def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
-        return self.log.entries(mission, since)
+        return self.store.entries(mission, since)
 
     def mission(self, mission: MissionId) -> Mission:
         """Where a mission stands.
@@ -167,14 +139,14 @@ class Desk:
         return site_of(accepted_of(self._entries(mission)))
 
     def is_running(self, mission: MissionId) -> bool:
-        """Whether a thread of this desk carries it out."""
-        running = self._running.get(mission)
-        return running is not None and running.is_alive
+        """Whether some worker carries it out, here or elsewhere."""
+        place = self.store.place(mission)
+        return place is not None and place.worker is not None
 
     def trouble(self, mission: MissionId) -> str | None:
-        """Why a thread of this desk broke off, where one did."""
-        running = self._running.get(mission)
-        return None if running is None else running.error
+        """Why a worker broke off, where one did."""
+        place = self.store.place(mission)
+        return None if place is None else place.trouble
 
     def pause(self, mission: MissionId, by: str) -> None:
         self._ask_of(mission, PauseAsked(by))
@@ -189,11 +161,8 @@ class Desk:
         self._ask_of(mission, asked)
 
     def resume(self, mission: MissionId, by: str) -> None:
-        """Go on with a mission that was paused, or that a killed desk left behind."""
-        if self.is_running(mission):
-            self._ask_of(mission, ResumeAsked(by))
-        else:
-            self._go_on(mission, by, ())
+        """Go on with a mission that was paused."""
+        self._ask_of(mission, ResumeAsked(by))
 
     # -- questions -----------------------------------------------------------------------------
 
@@ -220,16 +189,11 @@ class Desk:
         Ends with the mission.
         """
         while True:
-            with self._news:
-                seen = self._count
-            found = self.entries(mission, since)
+            found = self._next_entries(mission, since, time.monotonic() + patience)
             yield found
             since += len(found)
             if any(entry.kind == "mission_ended" for entry in found):
                 return
-            with self._news:
-                if self._count == seen:
-                    self._news.wait(patience)
 
     # -- inside --------------------------------------------------------------------------------
 
@@ -241,79 +205,34 @@ class Desk:
         return self.places[place]
 
     def _entries(self, mission: MissionId) -> tuple[Entry, ...]:
-        entries = self.log.entries(mission)
+        entries = self.store.entries(mission)
         if not entries:
             raise PlainspokenError(f"no mission {mission!r}")
         return entries
 
-    def _ask_of(self, mission: MissionId, asked: Observation) -> None:
-        """Hand a request to the thread that carries the mission out, or take it up at once."""
-        running = self._running.get(mission)
-        if running is not None and running.is_alive:
-            running.requests.put(asked)
-            return
-        standing = self.mission(mission)
-        if standing.is_over:
-            raise PlainspokenError(f"the mission {mission} is over")
-        if standing.is_at_rest:
-            learned = advance(standing, asked)
-            self._record(mission, learned.mission.instant, learned.events)
-        else:
-            self._go_on(mission, "the desk", (asked,))  # a desk that was killed left it behind
+    def _next_entries(self, mission: MissionId, since: Step, deadline: float) -> tuple[Entry, ...]:
+        while True:
+            with self._news:
+                seen = self._count
+            found = self.entries(mission, since)
+            left = deadline - time.monotonic()
+            if found or left <= 0:
+                return found
+            with self._news:
+                if self._count == seen:
+                    self._news.wait(min(left, ELSEWHERE))
 
-    def _go_on(self, mission: MissionId, by: str, asked: Sequence[Observation]) -> None:
+    def _ask_of(self, mission: MissionId, asked: Asked) -> None:
+        """Put a request where whoever carries the mission out finds it."""
         entries = self._entries(mission)
         if mission_from(entries).is_over:
             raise PlainspokenError(f"the mission {mission} is over")
-        accepted = accepted_of(entries)
-        site = site_of(accepted)
-        robot = self._robot_for(site, accepted.robot, entries)
-        running = _Running()
-        for each in asked:
-            running.requests.put(each)
+        if self.store.place(mission) is None:  # it was run before there were places
+            self.store.enlist(mission, robots_of(accepted_of(entries)))
+        self.store.post(mission, to_letter(asked))
 
-        def gone_on(record: Callable[[Instant, Sequence[Event]], Sequence[Entry]]) -> None:
-            for _ in go_on(site, entries, robot, record, by=by, requests=running.next):
-                pass
-
-        self._set_off(mission, running, gone_on)
-
-    def _set_off(
-        self,
-        mission: MissionId,
-        running: _Running,
-        work: Callable[[Callable[[Instant, Sequence[Event]], Sequence[Entry]]], None],
-    ) -> None:
-        def record(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
-            entries = self._record(mission, instant, events)
-            running.begun.set()
-            return entries
-
-        def run() -> None:
-            try:
-                work(record)
-            except Exception as error:  # noqa: BLE001 - whoever watches is told, not the terminal
-                running.error = str(error)
-            running.begun.set()
-            self._tell()
-
-        with self._lock:
-            if self.is_running(mission):
-                raise PlainspokenError(f"the mission {mission} is being carried out already")
-            running.thread = threading.Thread(target=run, name=f"mission {mission}", daemon=True)
-            self._running[mission] = running
-            running.thread.start()
-        running.begun.wait()
-
-    def _record(
-        self, mission: MissionId, instant: Instant, events: Sequence[Event]
-    ) -> Sequence[Entry]:
-        if not events:
-            return ()
-        time = self._now().isoformat(timespec="milliseconds")
-        entries = self.log.append(mission, time, instant, events)
+    def _heard(self, _mission: MissionId, _entry: Entry) -> None:
         self._tell()
-        return entries
 
     def _tell(self) -> None:
         with self._news:

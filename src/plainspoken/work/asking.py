@@ -68,7 +68,6 @@ def _settled(shift: Shift, mission: MissionId) -> bool:
     if held is None:
         return False
     now = mission_from(held.entries())
-    shift.tick()
     asked = held.requests()
     while asked is not None:
         decided = advance(now, asked)

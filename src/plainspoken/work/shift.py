@@ -203,11 +203,16 @@ class Shift:
         """Take one mission, out of turn; None where somebody carries it out, or it is over."""
         if not self.store.claim_this(self.worker, mission):
             return None
-        return self._hold(mission)
+        held = self._hold(mission)
+        self._hand_on()
+        return held
 
     def take_next(self, most: int) -> tuple[Held, ...]:
         """Take missions that wait, in their order, and those of workers that are gone."""
-        return tuple(self._hold(mission) for mission in self.store.claim(self.worker, most))
+        held = tuple(self._hold(mission) for mission in self.store.claim(self.worker, most))
+        if held:
+            self._hand_on()  # a mission at rest is gone on with only for what was asked
+        return held
 
     def _hold(self, mission: MissionId, robots: Iterable[RobotName] = ()) -> Held:
         held = Held(self.store, self.worker, mission, self._now, robots)
@@ -235,6 +240,9 @@ class Shift:
             if not alive:
                 self.renew()
                 return
+        self._hand_on()
+
+    def _hand_on(self) -> None:
         held = {each.mission: each for each in self.held}
         if held:
             for letter in self.store.letters(self.worker):
