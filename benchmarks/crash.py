@@ -10,6 +10,8 @@ is started, and killed in its turn. In the end
 - the robot did exactly what the log tells, and heard no command twice;
 - whatever a dead worker had printed, or a reader had seen in the log, is still there;
 - and it is told how long it took from the start of a worker until it had the mission.
+Then some workers are stopped (SIGSTOP), as a machine that swaps does it, and woken up once another
+one has taken their mission over: they must not write or command anything.
 Exit status 1 where any of that is not so.
 """
 
@@ -17,6 +19,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import statistics
 import subprocess
 import sys
@@ -63,6 +66,9 @@ class Life:
 
     def is_over(self) -> bool:
         return self._process.poll() is not None
+
+    def signal(self, number: int) -> None:
+        self._process.send_signal(number)
 
     def kill(self) -> None:
         self._process.kill()
@@ -145,13 +151,35 @@ def run(crew: Fleet, mission: str, kills: int, chance: Random, found: Counter[st
     return resumed
 
 
-def measured(kind: str, missions: int, kills: int, seed: int) -> bool:
-    chance, found = Random(f"{seed}:{kind}"), Counter[str]()
+def hang(crew: Fleet, mission: str, found: Counter[str]) -> float:
+    """A worker that is taken for dead, and wakes up; gives seconds until it was taken for dead."""
+    robot = f"robot of {mission}"
+    crew.queue_up(mission, robot, there_and_back(ACTIONS), action_seconds=ACTION_SECONDS)
+    sleeper = Life(crew, mission)
+    sleeper.until_it_has_the_mission()
+    time.sleep(0.3)
+    sleeper.signal(signal.SIGSTOP)
+    stopped, other = time.monotonic(), Life(crew, mission)
+    other.until_it_has_the_mission()
+    taken_over = time.monotonic() - stopped
+    sleeper.signal(signal.SIGCONT)
+    for life in (other, sleeper):
+        if not life.ends():
+            found["WRONG: a worker did not come to an end"] += 1
+    found["stopped and woken up"] += 1
+    for fault in crew.faults(mission, robot):
+        found[f"WRONG: {fault}"] += 1
+    return taken_over
+
+
+def measured(kind: str, options: argparse.Namespace) -> bool:
+    chance, found = Random(f"{options.seed}:{kind}"), Counter[str]()
     seconds: list[float] = []
     with tempfile.TemporaryDirectory() as folder, fleet(kind, Path(folder) / "fleet") as crew:
-        for number in range(missions):
-            seconds += run(crew, f"m{number}", kills, chance, found)
-            print(f"\r{kind}: {number + 1} of {missions} missions", end="", flush=True)
+        for number in range(options.missions):
+            seconds += run(crew, f"m{number}", options.kills, chance, found)
+            print(f"\r{kind}: {number + 1} of {options.missions} missions", end="", flush=True)
+        silent = [hang(crew, f"s{number}", found) for number in range(options.hangs)]
     print()
     for what, count in sorted(found.items()):
         print(f"  {count:4d}  {what}")
@@ -160,6 +188,8 @@ def measured(kind: str, missions: int, kills: int, seed: int) -> bool:
         f"  resumed after {statistics.median(seconds):.2f} s (median), {max(seconds):.2f} s (most);"
         f" {late} later than {RESUMED_WITHIN:.0f} s"
     )
+    if silent:
+        print(f"  a worker that hangs was replaced after {max(silent):.1f} s at most")
     return late == 0 and not any(what.startswith("WRONG") for what in found)
 
 
@@ -170,10 +200,11 @@ def main() -> None:
     parser.add_argument(
         "--kills", type=int, default=3, help="how often each one's worker is killed"
     )
+    parser.add_argument("--hangs", type=int, default=6, help="workers that are stopped and woken")
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
     kinds = ("sqlite", "postgresql") if options.store == "both" else (options.store,)
-    good = [measured(kind, options.missions, options.kills, options.seed) for kind in kinds]
+    good = [measured(kind, options) for kind in kinds]
     sys.exit(not all(good))
 
 

@@ -32,7 +32,8 @@ from fleet import Fleet, fleet, there_and_back
 from plainspoken.cli.store import open_store
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.queue import Standing
-from plainspoken.mission.mailbox import to_letter
+from plainspoken.knowledge.store import Store
+from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.observation import PauseAsked, ResumeAsked
 
 HEARD_WITHIN = 1.0
@@ -61,21 +62,26 @@ class Pauses:
                 mission = chance.choice(at_work)
                 since = len(store.links(mission))
                 try:
-                    store.post(mission, to_letter(PauseAsked("load")))
+                    store.post(mission, to_message(PauseAsked("load")))
                     asked = time.monotonic()
-                    while not any(
-                        entry.kind in ("paused", "mission_ended")
-                        for entry in store.entries(mission, since)
-                    ):
+                    while not (ended := paused_or_over(store, mission, since)):
                         time.sleep(0.005)
-                    if any(entry.kind == "paused" for entry in store.entries(mission, since)):
+                    if ended == "paused":
                         self.seconds.append(time.monotonic() - asked)
-                    store.post(mission, to_letter(ResumeAsked("load")))
+                    store.post(mission, to_message(ResumeAsked("load")))
                 except PlainspokenError:
                     continue  # it was over before it heard
 
     def stop(self) -> None:
         self._stop.set()
+
+
+def paused_or_over(store: Store, mission: str, since: int) -> str | None:
+    """Which of both is in the log since a step; None while it is neither."""
+    if any(entry.kind == "paused" for entry in store.entries(mission, since)):
+        return "paused"
+    place = store.place(mission)
+    return "over" if place is None or place.standing is Standing.OVER else None
 
 
 def queue_up(crew: Fleet, missions: int, robots: int, goal: str, seconds: float) -> dict[str, str]:

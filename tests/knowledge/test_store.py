@@ -144,7 +144,7 @@ def test_nobody_takes_a_mission_without_being_a_worker(store: Store) -> None:
     assert store.claim("nobody", 1) == ()
 
 
-def test_a_mission_at_rest_waits_for_a_letter_and_keeps_its_robot(store: Store) -> None:
+def test_a_mission_at_rest_waits_for_a_message_and_keeps_its_robot(store: Store) -> None:
     begun(store, "m1", "rob")
     begun(store, "m2", "rob")
     store.enrol("w")
@@ -155,19 +155,19 @@ def test_a_mission_at_rest_waits_for_a_letter_and_keeps_its_robot(store: Store) 
     assert store.claim("w", 5) == ("m1",)
 
 
-def test_a_letter_is_done_with_exactly_when_the_log_holds_what_it_led_to(store: Store) -> None:
+def test_a_message_is_done_with_exactly_when_the_log_holds_what_it_led_to(store: Store) -> None:
     begun(store, "m", "rob")
     store.enrol("w")
     store.claim("w", 1)
     first, second = store.post("m", "first"), store.post("m", "second")
-    assert [one.number for one in store.letters("w")] == [first, second]
+    assert [one.number for one in store.messages("w")] == [first, second]
     with pytest.raises(OvertakenError):
         store.append("m", "t", 0, [Paused("ada")], at=0, answered=first)
     assert [one.document for one in store.unanswered("m")] == ["first", "second"]
     store.append("m", "t", 0, [Paused("ada")], at=1, answered=first)
-    assert [one.document for one in store.letters("w")] == ["second"]
+    assert [one.document for one in store.messages("w")] == ["second"]
     store.dismiss("m", second, 1)
-    assert store.letters("w") == ()
+    assert store.messages("w") == ()
 
 
 def test_nothing_is_asked_of_a_mission_that_is_over(store: Store) -> None:

@@ -4,7 +4,7 @@ import pytest
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.logic.syntax import parse
-from plainspoken.mission.mailbox import Asked, from_letter, to_letter
+from plainspoken.mission.mailbox import Asked, from_message, to_message
 from plainspoken.mission.observation import (
     CancelAsked,
     ChangeAsked,
@@ -28,7 +28,7 @@ CHANGE = ChangeAsked("ada", "skip line 3", (Clause(parse("F a & G !b"), 2),), "i
     ],
 )
 def test_what_is_asked_comes_out_of_the_mailbox_as_it_went_in(asked: Asked) -> None:
-    assert from_letter(to_letter(asked)) == asked
+    assert from_message(to_message(asked)) == asked
 
 
 @pytest.mark.parametrize(
@@ -43,4 +43,4 @@ def test_what_is_asked_comes_out_of_the_mailbox_as_it_went_in(asked: Asked) -> N
 )
 def test_what_is_no_request_is_refused(text: str) -> None:
     with pytest.raises(PlainspokenError):
-        from_letter(text)
+        from_message(text)

@@ -1,12 +1,13 @@
 """Workers in processes of their own, killed at random moments: `benchmarks/crash.py` does more."""
 
+import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
 from random import Random
 
-from tests.work.workshop import deeds, finished_goals, queue_up, standing
+from tests.work.workshop import deeds, finished_goals, kinds, queue_up, standing
 
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.mission import Status
@@ -41,6 +42,32 @@ def test_a_mission_whose_worker_is_killed_again_and_again_is_finished_by_others(
         life.wait()
         seen = len(store.links("m"))
     assert worker(store_url).wait(timeout=60) == 0
+    assert standing(store, "m").status is Status.FINISHED
+    assert store.verify("m") is None
+    told = deeds(tmp_path / "world", "m")
+    assert [deed.goal_id for deed in told] == finished_goals(store, "m")
+    assert [deed.repeats for deed in told] == [0] * 2 * ROUNDS
+
+
+def test_a_worker_that_is_stopped_for_long_and_woken_does_no_harm(
+    store: Store, store_url: str, tmp_path: Path
+) -> None:
+    queue_up(store, "m", tmp_path / "world", goal=MISSION, pace=PACE)
+    sleeper = worker(store_url)
+    deadline = time.monotonic() + 30.0
+    while "action_started" not in kinds(store, "m"):
+        assert time.monotonic() < deadline
+        time.sleep(0.005)
+    sleeper.send_signal(signal.SIGSTOP)
+    try:
+        other = worker(store_url)
+        while kinds(store, "m").count("taken_up") < 2:
+            assert time.monotonic() < deadline
+            time.sleep(0.02)
+    finally:
+        sleeper.send_signal(signal.SIGCONT)
+    assert other.wait(timeout=60) == 0
+    assert sleeper.wait(timeout=60) == 0
     assert standing(store, "m").status is Status.FINISHED
     assert store.verify("m") is None
     told = deeds(tmp_path / "world", "m")

@@ -22,7 +22,7 @@ from plainspoken.cli.store import open_store
 from plainspoken.knowledge.log import OvertakenError
 from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.mailbox import to_letter
+from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import Status
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked, Told
 from plainspoken.mission.robot import Robot, Seconds
@@ -88,7 +88,7 @@ def test_a_mission_is_paused_resumed_and_cancelled_from_outside(
 def test_a_report_is_in_the_log_once_whoever_reads_it(store: Store, tmp_path: Path) -> None:
     queue_up(store, "m", tmp_path / "world", pace=0.02)
     told = Told("ada", "I emptied the box", deleted=frozenset({"full b"}))
-    store.post("m", to_letter(told))
+    store.post("m", to_message(told))
     Worker(store, robot_for).run(until_done=True)
     reports = [e.event for e in store.entries("m") if isinstance(e.event, ReportReceived)]
     assert [report.text for report in reports] == ["I emptied the box"]
@@ -111,15 +111,15 @@ def test_what_is_asked_of_a_mission_that_nobody_carries_out_is_in_its_log_at_onc
     assert standing(store, "m").status is Status.FINISHED
 
 
-def test_a_mission_at_rest_is_gone_on_with_when_a_letter_comes(
+def test_a_mission_at_rest_is_gone_on_with_when_a_message_comes(
     store: Store, tmp_path: Path
 ) -> None:
     queue_up(store, "m", tmp_path / "world")
     ask_of(store, "m", PauseAsked("ada"), ())
     with at_work(Worker(store, robot_for)):
-        store.post("m", to_letter(Told("ada", "nothing new")))
+        store.post("m", to_message(Told("ada", "nothing new")))
         until(lambda: kinds(store, "m")[-1] == "report_received")
-        store.post("m", to_letter(ResumeAsked("ada")))
+        store.post("m", to_message(ResumeAsked("ada")))
         until(lambda: standing(store, "m").is_over)
 
 

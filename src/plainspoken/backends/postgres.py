@@ -206,13 +206,13 @@ def m001_missions(session: Session) -> None:
         " PRIMARY KEY (mission, robot))"
     )
     session.change(
-        "CREATE TABLE letter (number BIGSERIAL PRIMARY KEY, mission TEXT NOT NULL,"
+        "CREATE TABLE message (number BIGSERIAL PRIMARY KEY, mission TEXT NOT NULL,"
         " document TEXT NOT NULL, posted DOUBLE PRECISION NOT NULL, answered INTEGER)"
     )
     session.change("CREATE TABLE worker (id TEXT PRIMARY KEY, heard DOUBLE PRECISION NOT NULL)")
     session.change("CREATE INDEX place_open ON place (number) WHERE standing <> 'over'")
     session.change("CREATE INDEX reservation_robot ON reservation (robot, mission)")
-    session.change("CREATE INDEX letter_open ON letter (mission) WHERE answered IS NULL")
+    session.change("CREATE INDEX message_open ON message (mission) WHERE answered IS NULL")
 
 
 CHANGES: tuple[Callable[[Session], None], ...] = (m001_missions,)

@@ -10,7 +10,7 @@ import click
 from plainspoken.cli.record import written_too
 from plainspoken.cli.simulated import robot_for
 from plainspoken.knowledge.jsonl import JsonlWriter
-from plainspoken.mission.mailbox import to_letter
+from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import Mission
 from plainspoken.mission.observation import CancelAsked
 from plainspoken.pipeline import Site, accepted_of, take_up
@@ -35,7 +35,7 @@ def going_on(
     try:
         _await_turn(shift, held)
     except KeyboardInterrupt:
-        shift.store.post(held.mission, to_letter(CancelAsked("keyboard")))
+        shift.store.post(held.mission, to_message(CancelAsked("keyboard")))
     shift.tick()
     entries = held.entries()
     robot, patience = robot_for(site, accepted_of(entries).robot, entries, pace=pace)

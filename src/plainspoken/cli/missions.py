@@ -23,7 +23,7 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.mailbox import Asked, to_letter
+from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
@@ -104,7 +104,7 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
         if held is None:
             _tell(_ask(kept, id, asked), "resumed")
             return
-        kept.post(id, to_letter(asked))
+        kept.post(id, to_message(asked))
         site = site_of(accepted_of(entries))
         mission = shown(going_on(shift, held, site, pace=pace), site, as_json=as_json)
         shift.hand_back(held, standing_of(mission))

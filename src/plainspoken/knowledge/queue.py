@@ -18,7 +18,7 @@ from plainspoken.knowledge.database import Database, Session, WorkerId
 from plainspoken.world.event import Step
 
 RobotName = str
-LetterNumber = int
+MessageNumber = int
 Seconds = float
 
 LEASE: Seconds = 3.0
@@ -52,10 +52,10 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Letter:
+class Message:
     """Something asked of a mission; document: see `mission.mailbox`."""
 
-    number: LetterNumber
+    number: MessageNumber
     mission: MissionId
     document: str
 
@@ -93,7 +93,7 @@ SELECT q.mission FROM reservation AS mine
 _FREE = f"""
 SELECT p.mission FROM place AS p WHERE p.worker IS NULL
  AND (p.standing = 'going' OR (p.standing = 'resting' AND EXISTS (
-   SELECT 1 FROM letter WHERE letter.mission = p.mission AND letter.answered IS NULL)))
+   SELECT 1 FROM message WHERE message.mission = p.mission AND message.answered IS NULL)))
  AND NOT EXISTS ({_AHEAD}) ORDER BY p.number LIMIT ?
 """  # noqa: S608 - both parts are ours
 _AHEAD_OF = f"""
@@ -138,41 +138,41 @@ def release(
     )
 
 
-def post(session: Session, mission: MissionId, document: str) -> LetterNumber | None:
+def post(session: Session, mission: MissionId, document: str) -> MessageNumber | None:
     """Put something into the mailbox of a mission; None where it is over, or has no place."""
     found = session.rows(
-        "INSERT INTO letter (mission, document, posted) SELECT mission, ?, {now} FROM place"
+        "INSERT INTO message (mission, document, posted) SELECT mission, ?, {now} FROM place"
         " WHERE mission = ? AND standing <> 'over' RETURNING number",
         (document, mission),
     )
     return found[0][0] if found else None
 
 
-def letters(session: Session, worker: WorkerId) -> tuple[Letter, ...]:
+def messages(session: Session, worker: WorkerId) -> tuple[Message, ...]:
     """What was asked of a worker's missions, and is not in their logs yet."""
     rows = session.rows(
-        "SELECT letter.number, letter.mission, document FROM letter"
-        " JOIN place ON place.mission = letter.mission"
-        " WHERE place.worker = ? AND letter.answered IS NULL ORDER BY letter.number",
+        "SELECT message.number, message.mission, document FROM message"
+        " JOIN place ON place.mission = message.mission"
+        " WHERE place.worker = ? AND message.answered IS NULL ORDER BY message.number",
         (worker,),
     )
-    return tuple(Letter(*row) for row in rows)
+    return tuple(Message(*row) for row in rows)
 
 
-def unanswered(session: Session, mission: MissionId) -> tuple[Letter, ...]:
+def unanswered(session: Session, mission: MissionId) -> tuple[Message, ...]:
     """What was asked of a mission, and is not in its log yet."""
     rows = session.rows(
-        "SELECT number, mission, document FROM letter WHERE mission = ? AND answered IS NULL"
+        "SELECT number, mission, document FROM message WHERE mission = ? AND answered IS NULL"
         " ORDER BY number",
         (mission,),
     )
-    return tuple(Letter(*row) for row in rows)
+    return tuple(Message(*row) for row in rows)
 
 
-def answer(session: Session, mission: MissionId, upto: LetterNumber, step: Step) -> None:
-    """Note that what was asked, up to a letter, is in the log at a step."""
+def answer(session: Session, mission: MissionId, upto: MessageNumber, step: Step) -> None:
+    """Note that what was asked, up to a message, is in the log at a step."""
     session.change(
-        "UPDATE letter SET answered = ? WHERE mission = ? AND number <= ? AND answered IS NULL",
+        "UPDATE message SET answered = ? WHERE mission = ? AND number <= ? AND answered IS NULL",
         (step, mission, upto),
     )
 

@@ -189,13 +189,13 @@ def m002_places(connection: sqlite3.Connection) -> None:
         " PRIMARY KEY (mission, robot))"
     )
     connection.execute(
-        "CREATE TABLE letter (number INTEGER PRIMARY KEY AUTOINCREMENT, mission TEXT NOT NULL,"
+        "CREATE TABLE message (number INTEGER PRIMARY KEY AUTOINCREMENT, mission TEXT NOT NULL,"
         " document TEXT NOT NULL, posted REAL NOT NULL, answered INTEGER)"
     )
     connection.execute("CREATE TABLE worker (id TEXT PRIMARY KEY, heard REAL NOT NULL)")
     connection.execute("CREATE INDEX place_open ON place (number) WHERE standing <> 'over'")
     connection.execute("CREATE INDEX reservation_robot ON reservation (robot, mission)")
-    connection.execute("CREATE INDEX letter_open ON letter (mission) WHERE answered IS NULL")
+    connection.execute("CREATE INDEX message_open ON message (mission) WHERE answered IS NULL")
 
 
 CHANGES: tuple[Callable[[sqlite3.Connection], None], ...] = (m001_entries, m002_places)

@@ -13,7 +13,7 @@ from plainspoken.knowledge import queue
 from plainspoken.knowledge.chain import MissionId
 from plainspoken.knowledge.database import Session, WorkerId
 from plainspoken.knowledge.log import Also, Log
-from plainspoken.knowledge.queue import Letter, LetterNumber, Place, RobotName, Standing
+from plainspoken.knowledge.queue import Message, MessageNumber, Place, RobotName, Standing
 from plainspoken.world.event import Entry, Event, Instant, Step
 
 
@@ -29,9 +29,9 @@ class Store(Log):
         *,
         at: Step | None = None,
         also: Also | None = None,
-        answered: LetterNumber | None = None,
+        answered: MessageNumber | None = None,
     ) -> tuple[Entry, ...]:
-        """Keep events as `Log.append` does; answered: the last letter that they answer."""
+        """Keep events as `Log.append` does; answered: the last message that they answer."""
 
         def kept(session: Session, step: Step) -> None:
             if answered is not None:
@@ -82,12 +82,13 @@ class Store(Log):
 
     # -- requests ------------------------------------------------------------------------------
 
-    def post(self, mission: MissionId, document: str) -> LetterNumber:
+    def post(self, mission: MissionId, document: str) -> MessageNumber:
         """Ask something of a mission, whoever carries it out.
 
         raises PlainspokenError: when it is over, or has no place
         """
         with self.database.writing() as session:
+            self.database.alone(session)  # so that a later number is never seen before an earlier
             number = queue.post(session, mission, document)
         if number is None:
             raise PlainspokenError(
@@ -96,18 +97,18 @@ class Store(Log):
             )
         return number
 
-    def letters(self, worker: WorkerId) -> tuple[Letter, ...]:
+    def messages(self, worker: WorkerId) -> tuple[Message, ...]:
         """What was asked of a worker's missions, and is not in their logs yet."""
         with self.database.reading() as session:
-            return queue.letters(session, worker)
+            return queue.messages(session, worker)
 
-    def unanswered(self, mission: MissionId) -> tuple[Letter, ...]:
+    def unanswered(self, mission: MissionId) -> tuple[Message, ...]:
         """What was asked of a mission, and is not in its log yet."""
         with self.database.reading() as session:
             return queue.unanswered(session, mission)
 
-    def dismiss(self, mission: MissionId, upto: LetterNumber, step: Step) -> None:
-        """Note that what was asked, up to a letter, needs no entry in the log."""
+    def dismiss(self, mission: MissionId, upto: MessageNumber, step: Step) -> None:
+        """Note that what was asked, up to a message, needs no entry in the log."""
         with self.database.writing() as session:
             queue.answer(session, mission, upto, step)
 

@@ -18,7 +18,7 @@ from plainspoken.mission.request import clauses_from_json, clauses_to_json
 Asked = PauseAsked | ResumeAsked | CancelAsked | Told | ChangeAsked
 
 
-def to_letter(asked: Asked) -> str:
+def to_message(asked: Asked) -> str:
     """The JSON text of a request."""
     document: dict[str, Any]
     match asked:
@@ -49,8 +49,8 @@ def to_letter(asked: Asked) -> str:
     return json.dumps(document)
 
 
-def from_letter(text: str) -> Asked:
-    """Read what `to_letter` wrote.
+def from_message(text: str) -> Asked:
+    """Read what `to_message` wrote.
 
     raises PlainspokenError: when it is no request, such as one of a later version
     """

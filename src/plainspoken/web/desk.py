@@ -19,7 +19,7 @@ from plainspoken.knowledge.store import Store
 from plainspoken.language.extraction import Extraction
 from plainspoken.logic.formula import Formula
 from plainspoken.mission.executive import queued
-from plainspoken.mission.mailbox import Asked, to_letter
+from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, MissionId, mission_from
 from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked, ResumeAsked, Told
 from plainspoken.pipeline import (
@@ -229,7 +229,7 @@ class Desk:
             raise PlainspokenError(f"the mission {mission} is over")
         if self.store.place(mission) is None:  # it was run before there were places
             self.store.enlist(mission, robots_of(accepted_of(entries)))
-        self.store.post(mission, to_letter(asked))
+        self.store.post(mission, to_message(asked))
 
     def _heard(self, _mission: MissionId, _entry: Entry) -> None:
         self._tell()

@@ -11,7 +11,7 @@ from plainspoken.knowledge.database import WorkerId
 from plainspoken.knowledge.queue import RobotName, Seconds
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import advance
-from plainspoken.mission.mailbox import Asked, to_letter
+from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, mission_from
 from plainspoken.work.shift import TICK, Shift, standing_of
 
@@ -46,10 +46,10 @@ def ask_of(
     """
     if store.place(mission) is None:
         store.enlist(mission, robots)
-    number = store.post(mission, to_letter(asked))
+    number = store.post(mission, to_message(asked))
     with Shift(store) as shift:
         for _ in range(max(1, round(patience / TICK))):
-            if all(letter.number != number for letter in store.unanswered(mission)):
+            if all(message.number != number for message in store.unanswered(mission)):
                 break
             if _settled(shift, mission):
                 break
@@ -57,7 +57,7 @@ def ask_of(
     place = store.place(mission)
     return Reply(
         mission_from(store.entries(mission)),
-        all(letter.number != number for letter in store.unanswered(mission)),
+        all(message.number != number for message in store.unanswered(mission)),
         None if place is None else place.worker,
     )
 

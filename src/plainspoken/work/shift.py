@@ -26,13 +26,13 @@ from plainspoken.knowledge.chain import MissionId
 from plainspoken.knowledge.database import StoreError, WorkerId
 from plainspoken.knowledge.queue import (
     LEASE,
-    Letter,
-    LetterNumber,
+    Message,
+    MessageNumber,
     RobotName,
     Standing,
 )
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.mailbox import Asked, from_letter
+from plainspoken.mission.mailbox import Asked, from_message
 from plainspoken.mission.mission import Mission
 from plainspoken.world.event import Entry, Event, Instant, MissionAccepted, Step
 
@@ -81,10 +81,10 @@ class Held:
         self._step: Step = 0
         self._now = now
         self._robots = tuple(robots)
-        self._letters: queue.SimpleQueue[Letter] = queue.SimpleQueue()
-        self._told: LetterNumber = 0
-        self._read: LetterNumber = 0
-        self._answered: LetterNumber = 0
+        self._messages: queue.SimpleQueue[Message] = queue.SimpleQueue()
+        self._told: MessageNumber = 0
+        self._read: MessageNumber = 0
+        self._answered: MessageNumber = 0
         self._let_go = threading.Event()
 
     def entries(self) -> tuple[Entry, ...]:
@@ -93,11 +93,11 @@ class Held:
         self._step = len(entries)
         return entries
 
-    def tell(self, letter: Letter) -> None:
-        """Hand a letter on, once."""
-        if letter.number > self._told:
-            self._told = letter.number
-            self._letters.put(letter)
+    def tell(self, message: Message) -> None:
+        """Hand a message on, once."""
+        if message.number > self._told:
+            self._told = message.number
+            self._messages.put(message)
 
     def let_go(self) -> None:
         """Have whoever carries the mission out stop at the next moment, and write nothing more."""
@@ -112,12 +112,12 @@ class Held:
             if self._let_go.is_set():
                 raise LetGo(self.mission)
             try:
-                letter = self._letters.get_nowait()
+                message = self._messages.get_nowait()
             except queue.Empty:
                 return None
-            self._read = letter.number
+            self._read = message.number
             with suppress(PlainspokenError):  # what nobody can read is dismissed in the end
-                return from_letter(letter.document)
+                return from_message(message.document)
 
     def record(self, instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
         """Store events as the next ones of the mission, with what they answer.
@@ -245,9 +245,9 @@ class Shift:
     def _hand_on(self) -> None:
         held = {each.mission: each for each in self.held}
         if held:
-            for letter in self.store.letters(self.worker):
-                if letter.mission in held:
-                    held[letter.mission].tell(letter)
+            for message in self.store.messages(self.worker):
+                if message.mission in held:
+                    held[message.mission].tell(message)
 
     def renew(self) -> None:
         """Let go of everything, and begin anew under another name."""
