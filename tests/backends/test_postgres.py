@@ -1,8 +1,5 @@
 """What only PostgreSQL does; `tests/knowledge/test_store.py` has what every store does."""
 
-import os
-import signal
-import subprocess
 import sys
 
 import psycopg
@@ -55,34 +52,6 @@ def test_a_changed_entry_is_found_by_the_chain(url: str) -> None:
         broken = store.verify("m")
         assert broken is not None
         assert broken.step == 0
-
-
-WORKER = """
-import sys, time
-from plainspoken.backends.postgres import PostgresDatabase
-from plainspoken.knowledge.store import Store
-store = Store(PostgresDatabase(sys.argv[1]))
-store.enrol("v")
-print(store.claim("v", 1), flush=True)
-time.sleep(60)
-"""
-
-
-def test_the_missions_of_a_killed_process_are_free_at_once(url: str) -> None:
-    with begun(url) as store:
-        command = [sys.executable, "-c", WORKER, url]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
-            assert process.stdout is not None
-            assert "m" in process.stdout.readline()
-            store.enrol("w")
-            assert store.claim("w", 1) == ()
-            os.kill(process.pid, signal.SIGKILL)
-            process.wait()
-        for _ in range(100):  # the server notices that the connection is closed
-            if store.claim("w", 1):
-                break
-        else:
-            raise AssertionError("the dead process still has its mission")
 
 
 def test_a_server_that_drops_every_connection_is_connected_to_again(url: str) -> None:

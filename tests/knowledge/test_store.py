@@ -1,7 +1,10 @@
 """Who carries which mission out, and what is asked of it."""
 
 import json
+import subprocess
+import sys
 import threading
+import time
 
 import pytest
 from tests.mission.small_vineyard import accepted
@@ -9,7 +12,7 @@ from tests.mission.small_vineyard import accepted
 from plainspoken.cli.store import open_store
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.log import OvertakenError
-from plainspoken.knowledge.queue import Standing
+from plainspoken.knowledge.queue import LEASE, Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.logic.syntax import parse
 from plainspoken.world.event import Paused, Resumed
@@ -118,6 +121,31 @@ def test_a_worker_that_is_not_heard_of_loses_its_missions(store: Store) -> None:
     assert not store.beat("v"), "it is told that it came too late"
     store.release("v", "m", Standing.OVER)
     assert holder(store, "m") == "w", "what it lost it cannot hand back"
+
+
+WORKER = """
+import sys, time
+from plainspoken.cli.store import open_store
+store = open_store(sys.argv[1])
+store.enrol("v")
+print(store.claim("v", 1), flush=True)
+time.sleep(60)
+"""
+
+
+def test_the_missions_of_a_killed_process_are_free_at_once(store: Store, store_url: str) -> None:
+    begun(store, "m", "rob")
+    command = [sys.executable, "-c", WORKER, store_url]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert "m" in process.stdout.readline()
+        store.enrol("w")
+        assert store.claim("w", 1) == ()
+        process.kill()
+    killed = time.monotonic()
+    while store.claim("w", 1) != ("m",):  # a server has to notice that a connection is closed
+        assert time.monotonic() - killed < LEASE / 2, "it had to be waited for until it was late"
+    assert store.workers() == ("w",)
 
 
 def test_a_worker_that_was_heard_in_time_keeps_its_missions(store: Store) -> None:

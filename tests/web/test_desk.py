@@ -1,6 +1,7 @@
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import pytest
@@ -26,15 +27,16 @@ SITE = Site(PROBLEM, DOMAIN_TEXT, PROBLEM_TEXT)
 GOAL = parse("F(cleared_l0 & F robot_at_rob_wh)")
 
 
+@contextmanager
 def slow_robot(
     site: Site, set_up: Mapping[str, Any], entries: Sequence[Entry]
-) -> tuple[Robot, Patience]:
+) -> Iterator[tuple[Robot, Patience]]:
     """Each action takes some hundredths of a second."""
     del set_up
     state = None
     for entry in entries:
         state = getattr(entry.event, "state", state)
-    return Simulator(site.problem, state=state, pace=0.01), Patience(news=0.02)
+    yield Simulator(site.problem, state=state, pace=0.01), Patience(news=0.02)
 
 
 @pytest.fixture

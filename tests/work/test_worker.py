@@ -1,7 +1,8 @@
 """Workers in one process, each on a thread; `test_crash` has them in processes that are killed."""
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -170,11 +171,12 @@ def test_a_worker_that_was_taken_for_dead_writes_nothing_and_sends_nothing_when_
 ) -> None:
     asleep, awake = threading.Event(), threading.Event()
 
+    @contextmanager
     def hanging(
         site: Site, set_up: Mapping[str, Any], entries: Sequence[Entry]
-    ) -> tuple[Robot, Patience]:
-        robot, patience = robot_for(site, set_up, entries)
-        return Hanging(robot, asleep, awake), patience
+    ) -> Iterator[tuple[Robot, Patience]]:
+        with robot_for(site, set_up, entries) as (robot, patience):
+            yield Hanging(robot, asleep, awake), patience
 
     queue_up(store, "m", tmp_path / "world", pace=0.001)
     first = Worker(store, hanging, most=1)
@@ -229,7 +231,7 @@ def test_a_worker_whose_row_is_gone_begins_anew_and_goes_on(store: Store, tmp_pa
 def test_a_mission_that_breaks_off_rests_with_its_trouble_until_somebody_asks(
     store: Store, tmp_path: Path
 ) -> None:
-    def broken(*_: object) -> tuple[Robot, Patience]:
+    def broken(*_: object) -> AbstractContextManager[tuple[Robot, Patience]]:
         raise RuntimeError("no such gripper")
 
     queue_up(store, "m", tmp_path / "world")

@@ -47,12 +47,13 @@ def queue_up(
     store.begin(mission, "t", queued(accepted, policy(goal)), [set_up["name"]])
 
 
+@contextmanager
 def robot_for(
     site: Site, set_up: Mapping[str, Any], entries: Sequence[Entry]
-) -> tuple[Robot, Patience]:
+) -> Iterator[tuple[Robot, Patience]]:
     mission = accepted_of(entries).mission
     robot = KeptSimulator(set_up["world"], mission, site.problem, pace=set_up["pace"])
-    return robot, Patience(news=0.05)
+    yield robot, Patience(news=0.05)
 
 
 def deeds(world: Path, mission: str) -> tuple[Deed, ...]:

@@ -38,18 +38,18 @@ def going_on(
         shift.store.post(held.mission, to_message(CancelAsked("keyboard")))
     shift.tick()
     entries = held.entries()
-    robot, patience = robot_for(site, accepted_of(entries).robot, entries, pace=pace)
-    return (
-        yield from take_up(
-            site,
-            entries,
-            robot,
-            written_too(held.record, file),
-            by=held.worker,
-            requests=held.requests,
-            patience=patience,
+    with robot_for(site, accepted_of(entries).robot, entries, pace=pace) as (robot, patience):
+        return (
+            yield from take_up(
+                site,
+                entries,
+                robot,
+                written_too(held.record, file),
+                by=held.worker,
+                requests=held.requests,
+                patience=patience,
+            )
         )
-    )
 
 
 def _await_turn(shift: Shift, held: Held) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -114,16 +115,17 @@ def simulated(
     return robot, Patience(action=lambda _: limit, clock=lambda: robot.elapsed, sleep=robot.sleep)
 
 
+@contextmanager
 def robot_for(
     site: Site,
     set_up: Mapping[str, Any],
     entries: Sequence[Entry],
     *,
     pace: float | None = None,
-) -> tuple[Robot, Patience]:
-    """The robot that the log of a mission names."""
+) -> Iterator[tuple[Robot, Patience]]:
+    """Reach the robot that the log of a mission names."""
     mission = accepted_of(entries).mission
-    return simulated(site, Settings.of(set_up), mission=mission, pace=pace, entries=entries)
+    yield simulated(site, Settings.of(set_up), mission=mission, pace=pace, entries=entries)
 
 
 def _history(entries: Sequence[Entry]) -> Iterable[tuple[State, GroundAction]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from datetime import datetime
 from typing import Any
 
@@ -18,8 +19,10 @@ from plainspoken.pipeline import Site, accepted_of, site_of, take_up
 from plainspoken.work.shift import TICK, Held, LetGo, Shift, standing_of, utc_now
 from plainspoken.world.event import Entry
 
-RobotFor = Callable[[Site, Mapping[str, Any], Sequence[Entry]], tuple[Robot, Patience]]
-"""The robot that a mission is set for, and how long it is waited for; entries: the log so far."""
+RobotFor = Callable[
+    [Site, Mapping[str, Any], Sequence[Entry]], AbstractContextManager[tuple[Robot, Patience]]
+]
+"""Reaches the robot that a mission is set for, with how long to wait for it; entries: the log."""
 Heard = Callable[[str, Entry], None]
 """Told of each entry of each mission, once it is stored; by the thread that carries it out."""
 
@@ -121,18 +124,18 @@ class Worker:
         entries = held.entries()
         accepted = accepted_of(entries)
         site = site_of(accepted)
-        robot, patience = self._robot_for(site, accepted.robot, entries)
-        run = take_up(
-            site,
-            entries,
-            robot,
-            held.record,
-            by=held.worker,
-            requests=held.requests,
-            patience=patience,
-        )
-        while True:
-            try:
-                self._heard(held.mission, next(run))
-            except StopIteration as end:
-                return standing_of(end.value)
+        with self._robot_for(site, accepted.robot, entries) as (robot, patience):
+            run = take_up(
+                site,
+                entries,
+                robot,
+                held.record,
+                by=held.worker,
+                requests=held.requests,
+                patience=patience,
+            )
+            while True:
+                try:
+                    self._heard(held.mission, next(run))
+                except StopIteration as end:
+                    return standing_of(end.value)
