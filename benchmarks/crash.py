@@ -31,6 +31,7 @@ from pathlib import Path
 from random import Random
 
 from fleet import Fleet, fleet, there_and_back
+from processes import stop
 
 ACTIONS = 40
 ACTION_SECONDS = 0.02
@@ -46,38 +47,35 @@ class Life:
         self._crew, self._mission = crew, mission
         self._before = len(crew.store.links(mission))
         self.began = time.monotonic()
-        self._process: subprocess.Popen[str] = crew.worker("--until-done")
+        self.process: subprocess.Popen[str] = crew.worker("--until-done")
         self.printed: list[str] = []
         self._reader = threading.Thread(target=self._read)
         self._reader.start()
 
     def _read(self) -> None:
-        for line in self._process.stdout or ():
+        for line in self.process.stdout or ():
             if line.endswith("\n"):
                 self.printed.append(line)
 
     def until_it_has_the_mission(self) -> float:
         """Seconds from the start until the log grows; killed later."""
         while len(self._crew.store.links(self._mission, self._before)) == 0:
-            if self._process.poll() is not None or time.monotonic() - self.began > WAIT:
+            if self.process.poll() is not None or time.monotonic() - self.began > WAIT:
                 break
             time.sleep(0.002)
         return time.monotonic() - self.began
 
     def is_over(self) -> bool:
-        return self._process.poll() is not None
-
-    def signal(self, number: int) -> None:
-        self._process.send_signal(number)
+        return self.process.poll() is not None
 
     def kill(self) -> None:
-        self._process.kill()
-        self._process.wait()
+        self.process.kill()
+        self.process.wait()
         self._reader.join()
 
     def ends(self) -> bool:
         try:
-            return self._process.wait(timeout=WAIT) == 0
+            return self.process.wait(timeout=WAIT) == 0
         except subprocess.TimeoutExpired:
             return False
         finally:
@@ -158,11 +156,11 @@ def hang(crew: Fleet, mission: str, found: Counter[str]) -> float:
     sleeper = Life(crew, mission)
     sleeper.until_it_has_the_mission()
     time.sleep(0.3)
-    sleeper.signal(signal.SIGSTOP)
+    stop(sleeper.process, *crew.files(robot))
     stopped, other = time.monotonic(), Life(crew, mission)
     other.until_it_has_the_mission()
     taken_over = time.monotonic() - stopped
-    sleeper.signal(signal.SIGCONT)
+    sleeper.process.send_signal(signal.SIGCONT)
     for life in (other, sleeper):
         if not life.ends():
             found["WRONG: a worker did not come to an end"] += 1

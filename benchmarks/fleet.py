@@ -39,7 +39,7 @@ class Fleet:
         """Leave a mission to the workers."""
         set_up = {
             "robot": "simulator",
-            "name": robot,
+            "names": [robot],
             "world": str(self.worlds / robot),
             "pace": action_seconds / USUAL_ACTION,
         }
@@ -56,6 +56,10 @@ class Fleet:
     def deeds(self, mission: str, robot: str) -> tuple[Deed, ...]:
         """What the robot was told for a mission."""
         return KeptSimulator(self.worlds / robot, mission, vineyard().problem).deeds()
+
+    def files(self, robot: str) -> list[Path]:
+        """The SQLite files that a worker of a robot's mission writes to."""
+        return [self.worlds / robot, *([] if "://" in self.url else [Path(self.url)])]
 
     def faults(self, mission: str, robot: str) -> list[str]:
         """What is wrong with a mission that should be over; nothing, one hopes."""

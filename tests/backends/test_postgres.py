@@ -1,11 +1,13 @@
 """What only PostgreSQL does; `tests/knowledge/test_store.py` has what every store does."""
 
 import sys
+from pathlib import Path
 
 import psycopg
 import pytest
 from benchmarks.postgres_server import new_database
 from tests.mission.small_vineyard import accepted
+from tests.work.workshop import at_work, deeds, kinds, queue_up, robot_for, standing, until
 
 from plainspoken.backends.postgres import PostgresDatabase
 from plainspoken.cli.store import open_store
@@ -13,6 +15,8 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.database import StoreError
 from plainspoken.knowledge.store import Store
 from plainspoken.logic.syntax import parse
+from plainspoken.mission.mission import Status
+from plainspoken.work.worker import Worker
 
 
 @pytest.fixture
@@ -64,6 +68,22 @@ def test_a_server_that_drops_every_connection_is_connected_to_again(url: str) ->
         with pytest.raises(StoreError):
             store.missions()
         assert store.missions() == ("m",)
+
+
+def test_a_worker_goes_on_when_the_server_has_dropped_it(url: str, tmp_path: Path) -> None:
+    with open_store(url) as store:
+        queue_up(store, "m", tmp_path / "world", pace=0.02)
+        with at_work(Worker(store, robot_for)), open_store(url) as other:
+            until(lambda: "action_started" in kinds(other, "m"))
+            with other.database.writing() as session:
+                session.rows(
+                    "SELECT pg_terminate_backend(pid) FROM pg_stat_activity"
+                    " WHERE datname = current_database() AND pid <> pg_backend_pid()"
+                )
+            until(lambda: standing(other, "m").is_over)
+            assert standing(other, "m").status is Status.FINISHED
+            assert other.verify("m") is None
+    assert [deed.repeats for deed in deeds(tmp_path / "world", "m")] == [0, 0, 0, 0]
 
 
 def test_a_server_that_is_not_there_is_named_without_its_password() -> None:

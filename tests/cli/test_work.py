@@ -1,4 +1,5 @@
 import json
+import signal
 import subprocess
 import sys
 import time
@@ -112,6 +113,35 @@ def test_a_foreground_run_waits_for_the_missions_that_have_its_robot() -> None:
     kinds = [json.loads(line)["kind"] for line in out.splitlines()]
     assert kinds[0] == "mission_accepted"
     assert kinds[-1] == "mission_ended"
+
+
+def test_a_mission_of_several_robots_waits_for_each_of_them() -> None:
+    first, second = detached("--robot-name", "rob"), detached("--robot-name", "sup")
+    command = [sys.executable, "-m", "plainspoken", "run", "--say", "Clear line 2"]
+    command += ["--robot-name", "sup", "--robot-name", "rob"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as third:
+        assert third.stderr is not None
+        assert f"{first}, {second}" in third.stderr.readline()
+        plainspoken("work", "--until-done", "--missions", "2")
+        assert third.wait(timeout=30) == 0
+    assert {one["status"] for one in listed().values()} == {"finished"}
+
+
+def test_a_run_that_is_interrupted_rests_and_no_worker_goes_on_with_it() -> None:
+    command = [sys.executable, "-m", "plainspoken", "run", "--say", "Clear line 2"]
+    command += ["--pace", "0.05", "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        for line in running.stdout:
+            if json.loads(line)["kind"] == "action_started":
+                break
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=20)
+    plainspoken("work", "--until-done")
+    ((mission, one),) = listed().items()
+    assert (one["status"], one["worker"]) == ("paused", None)
+    plainspoken("missions", "resume", mission)
+    assert listed()[mission]["status"] == "finished"
 
 
 def test_watching_and_detaching_exclude_each_other() -> None:

@@ -1,18 +1,22 @@
 """Who carries which mission out, and what is asked of it."""
 
 import json
+import sqlite3
 import subprocess
 import sys
 import threading
 import time
+from contextlib import closing
+from pathlib import Path
 
 import pytest
 from tests.mission.small_vineyard import accepted
 
 from plainspoken.cli.store import open_store
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.log import OvertakenError
+from plainspoken.knowledge.log import OvertakenError, SqliteLog
 from plainspoken.knowledge.queue import LEASE, Standing
+from plainspoken.knowledge.sqlite import m001_entries
 from plainspoken.knowledge.store import Store
 from plainspoken.logic.syntax import parse
 from plainspoken.world.event import Paused, Resumed
@@ -196,6 +200,26 @@ def test_a_message_is_done_with_exactly_when_the_log_holds_what_it_led_to(store:
     assert [one.document for one in store.messages("w")] == ["second"]
     store.dismiss("m", second, 1)
     assert store.messages("w") == ()
+
+
+def test_a_mission_of_an_older_store_has_no_place_until_somebody_asks_for_it(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "old.sqlite"
+    with closing(sqlite3.connect(path)) as old:
+        m001_entries(old)
+        old.execute("PRAGMA user_version = 1")
+    with SqliteLog(path) as log:
+        log.append("m", "t", 0, [accepted(GOAL)])
+    with open_store(str(path)) as store:
+        store.enrol("w")
+        assert store.missions() == ("m",)
+        assert store.place("m") is None
+        assert store.claim("w", 1) == ()
+        store.enlist("m", ["rob"])
+        assert store.claim("w", 1) == (), "nobody asked for anything yet"
+        store.post("m", "anything")
+        assert store.claim("w", 1) == ("m",)
 
 
 def test_nothing_is_asked_of_a_mission_that_is_over(store: Store) -> None:

@@ -19,6 +19,7 @@ from plainspoken.mission.robot import Robot
 from plainspoken.mission.run import Patience
 from plainspoken.pipeline import Request, Site, accepted_as, accepted_of
 from plainspoken.planning.policy import Policy
+from plainspoken.work.shift import robots_of
 from plainspoken.work.worker import Worker
 from plainspoken.world.event import ActionFinished, Entry
 
@@ -42,9 +43,9 @@ def queue_up(
     pace: float = 0.0,
 ) -> None:
     """Leave a mission to whichever worker comes."""
-    set_up = {"world": str(world), "pace": pace, "name": robot or mission}
+    set_up = {"world": str(world), "pace": pace, "names": [robot or mission]}
     accepted = accepted_as(SITE, Request(mission, parse(goal), robot=set_up))
-    store.begin(mission, "t", queued(accepted, policy(goal)), [set_up["name"]])
+    store.begin(mission, "t", queued(accepted, policy(goal)), robots_of(accepted))
 
 
 @contextmanager
@@ -88,7 +89,7 @@ def at_work(worker: Worker) -> Iterator[Worker]:
         thread.join()
 
 
-def until(so: Callable[[], bool], seconds: float = 20.0) -> None:
+def until(so: Callable[[], bool], seconds: float = 60.0) -> None:
     deadline = time.monotonic() + seconds
     while not so():
         assert time.monotonic() < deadline, "waited for too long"

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import json
+import sys
 import time
 from collections.abc import Generator, Sequence
 
 import click
+from rich.console import Console
 
+from plainspoken.cli.exit import NO
 from plainspoken.cli.record import written_too
 from plainspoken.cli.simulated import robot_for
+from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.mission.mailbox import to_message
-from plainspoken.mission.mission import Mission
+from plainspoken.mission.mission import Mission, Status, mission_from
 from plainspoken.mission.observation import CancelAsked
 from plainspoken.pipeline import Site, accepted_of, take_up
-from plainspoken.work.shift import TICK, Held, Shift
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.work.shift import TICK, Held, Shift, standing_of
 from plainspoken.world.event import Entry
+
+Run = Generator[Entry, None, Mission]
 
 
 def going_on(
@@ -26,7 +34,7 @@ def going_on(
     first: Sequence[Entry] = (),
     pace: float | None = None,
     file: JsonlWriter | None = None,
-) -> Generator[Entry, None, Mission]:
+) -> Run:
     """Wait for the mission's turn, then go on with it; first: entries to show before.
 
     Ctrl-C while it waits cancels it.
@@ -50,6 +58,44 @@ def going_on(
                 patience=patience,
             )
         )
+
+
+def watched(shift: Shift, held: Held, events: Run, site: Site, *, as_json: bool) -> Mission:
+    """Show a run to its end, and hand the mission back as it stands then.
+
+    Ctrl-C where the mission itself does not hear it pauses it, too.
+    """
+    try:
+        mission = _shown(events, site, as_json=as_json)
+    except KeyboardInterrupt:
+        events.close()
+        mission = mission_from(held.entries())
+    shift.hand_back(held, standing_of(mission))
+    return mission
+
+
+def _shown(events: Run, site: Site, *, as_json: bool) -> Mission:
+    """Show a run while it goes on: its events as JSON, or what the robot does in words."""
+    if as_json:
+        while True:
+            try:
+                click.echo(json.dumps(next(events).to_json(), ensure_ascii=False))
+            except StopIteration as end:
+                mission: Mission = end.value
+                return mission
+    watched = watch(events, Scoreboard(Lexicon(site.problem, site.landmarks)), Console())
+    assert watched is not None  # noqa: S101 - it was watched to the end
+    return watched
+
+
+def ended(mission: Mission) -> None:
+    """Say what comes next, and exit with 3 where the mission did not do what was asked."""
+    if mission.status is Status.PAUSED:
+        click.echo(f"paused; go on with: plainspoken missions resume {mission.id}", err=True)
+    elif mission.ended is not None and mission.ended.reason:
+        click.echo(mission.ended.reason, err=True)
+    if mission.is_over and not (mission.ended and mission.ended.satisfied):
+        sys.exit(NO)
 
 
 def _await_turn(shift: Shift, held: Held) -> None:

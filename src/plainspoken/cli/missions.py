@@ -14,9 +14,8 @@ from rich.console import Console
 from rich.table import Table
 
 from plainspoken.cli.exit import NO
-from plainspoken.cli.foreground import going_on
+from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.record import fresh_file
-from plainspoken.cli.run import ended, shown
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
 from plainspoken.errors import PlainspokenError
@@ -28,7 +27,7 @@ from plainspoken.mission.mission import Mission, mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
 from plainspoken.work.asking import Reply, ask_of
-from plainspoken.work.shift import Shift, robots_of, standing_of
+from plainspoken.work.shift import Shift, robots_of
 from plainspoken.world.event import Entry
 
 BY = "command line"
@@ -106,8 +105,8 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
             return
         kept.post(id, to_message(asked))
         site = site_of(accepted_of(entries))
-        mission = shown(going_on(shift, held, site, pace=pace), site, as_json=as_json)
-        shift.hand_back(held, standing_of(mission))
+        events = going_on(shift, held, site, pace=pace)
+        mission = watched(shift, held, events, site, as_json=as_json)
     ended(mission)
 
 

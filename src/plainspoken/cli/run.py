@@ -2,34 +2,25 @@
 
 from __future__ import annotations
 
-import json
 import sys
-from collections.abc import Generator
 from contextlib import ExitStack
 from pathlib import Path
 
 import click
-from rich.console import Console
 
 from plainspoken.cli.exit import NO
-from plainspoken.cli.foreground import going_on
+from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
 from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
-from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.mission.executive import queued
-from plainspoken.mission.mission import Mission, Status
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.solver import Solved
-from plainspoken.questions.lexicon import Lexicon
-from plainspoken.work.shift import Shift, robots_of, standing_of
-from plainspoken.world.event import Entry
-
-Run = Generator[Entry, None, Mission]
+from plainspoken.work.shift import Shift, robots_of
 
 
 @click.command()
@@ -74,8 +65,10 @@ Run = Generator[Entry, None, Mission]
 )
 @click.option(
     "--robot-name",
+    "names",
+    multiple=True,
     metavar="NAME",
-    help="Whose turn it is: missions of robots of one name wait for each other.",
+    help="Missions of one robot wait for each other. May be repeated, for a mission of several.",
 )
 @click.option(
     "--world",
@@ -106,7 +99,7 @@ def run(
     faults: tuple[str, ...],
     action_timeout: float | None,
     pace: float,
-    robot_name: str | None,
+    names: tuple[str, ...],
     world: Path | None,
     detach: bool,
     store: str | None,
@@ -131,7 +124,7 @@ def run(
     site: Site = chosen_site(domain, problem, landmarks)
     formula, _ = chosen_goal(goal, say, site)
     kept_in = None if world is None else str(world.resolve())
-    settings = Settings(seed, steer, faults, action_timeout, pace, robot_name, kept_in)
+    settings = Settings(seed, steer, faults, action_timeout, pace, names, kept_in)
     id = new_mission_id(utc_now)
     simulator, patience = simulated(site, settings, mission=id)
     if detach and (log is not None or as_json):
@@ -157,7 +150,7 @@ def run(
         file = stack.enter_context(JsonlWriter(log)) if log is not None else None
         shift = stack.enter_context(Shift(kept))
         held = shift.found(id, robots)
-        if robot_name is None:
+        if not names:
             events = carry_out(
                 site,
                 request,
@@ -170,30 +163,5 @@ def run(
         else:
             begun = written_too(held.record, file)(0, first)
             events = going_on(shift, held, site, first=begun, file=file)
-        mission = shown(events, site, as_json=as_json)
-        shift.hand_back(held, standing_of(mission))
+        mission = watched(shift, held, events, site, as_json=as_json)
     ended(mission)
-
-
-def shown(events: Run, site: Site, *, as_json: bool) -> Mission:
-    """Show a run while it goes on: its events as JSON, or what the robot does in words."""
-    if as_json:
-        while True:
-            try:
-                click.echo(json.dumps(next(events).to_json(), ensure_ascii=False))
-            except StopIteration as end:
-                mission: Mission = end.value
-                return mission
-    watched = watch(events, Scoreboard(Lexicon(site.problem, site.landmarks)), Console())
-    assert watched is not None  # noqa: S101 - it was watched to the end
-    return watched
-
-
-def ended(mission: Mission) -> None:
-    """Say what comes next, and exit with 3 where the mission did not do what was asked."""
-    if mission.status is Status.PAUSED:
-        click.echo(f"paused; go on with: plainspoken missions resume {mission.id}", err=True)
-    elif mission.ended is not None and mission.ended.reason:
-        click.echo(mission.ended.reason, err=True)
-    if mission.is_over and not (mission.ended and mission.ended.satisfied):
-        sys.exit(NO)

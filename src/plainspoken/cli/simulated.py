@@ -26,7 +26,7 @@ PATIENT_SECONDS = 60.0
 class Settings:
     """What a log keeps of the robot; texts as they are given on the command line.
 
-    name:  missions of robots of one name wait for each other
+    names: missions that have a robot's name in common wait for each other
     world: the file that keeps the robot's world, None where it ends with the process
     """
 
@@ -35,7 +35,7 @@ class Settings:
     faults: Sequence[str] = ()
     limit: Seconds | None = None
     pace: float = 0.0
-    name: str | None = None
+    names: Sequence[str] = ()
     world: str | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -51,8 +51,11 @@ class Settings:
             document["action_timeout"] = self.limit
         if self.pace:
             document["pace"] = self.pace
-        named = {"name": self.name, "world": self.world}
-        return document | {key: text for key, text in named.items() if text is not None}
+        if self.names:
+            document["names"] = list(self.names)
+        if self.world is not None:
+            document["world"] = self.world
+        return document
 
     @classmethod
     def of(cls, document: Mapping[str, Any]) -> Settings:
@@ -63,7 +66,7 @@ class Settings:
             document.get("faults", ()),
             document.get("action_timeout"),
             document.get("pace", 0.0),
-            document.get("name"),
+            document.get("names", ()),
             document.get("world"),
         )
 

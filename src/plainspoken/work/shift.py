@@ -42,8 +42,14 @@ TICK = 0.1
 """Seconds from one look into the mailbox to the next."""
 
 
-class LetGo(Exception):
+class LetGo(PlainspokenError):
     """The mission is to be carried out by somebody else from here on."""
+
+    def __init__(self, mission: MissionId) -> None:
+        super().__init__(
+            f"this process no longer carries the mission {mission} out",
+            hint="`plainspoken missions` tells who does",
+        )
 
 
 def new_worker() -> WorkerId:
@@ -58,10 +64,8 @@ def utc_now() -> datetime:
 
 def robots_of(accepted: MissionAccepted) -> tuple[RobotName, ...]:
     """The robots that a mission needs for itself; a simulated one without a name is its own."""
-    name = accepted.robot.get("name")
-    if isinstance(name, str):
-        return (name,)
-    return tuple(name) if name else (f"of mission {accepted.mission}",)
+    names = accepted.robot.get("names")
+    return tuple(names) if names else (f"of mission {accepted.mission}",)
 
 
 class Held:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from datetime import datetime
@@ -25,6 +26,9 @@ RobotFor = Callable[
 """Reaches the robot that a mission is set for, with how long to wait for it; entries: the log."""
 Heard = Callable[[str, Entry], None]
 """Told of each entry of each mission, once it is stored; by the thread that carries it out."""
+
+PATIENCE = 5.0
+"""Seconds to wait, when work is to end, for a mission that is being planned for, say."""
 
 log = logging.getLogger(__name__)
 
@@ -102,8 +106,9 @@ class Worker:
     def _leave(self) -> None:
         for held in self._threads:
             held.let_go()
+        patient_until = time.monotonic() + PATIENCE
         for held, thread in tuple(self._threads.items()):
-            thread.join()
+            thread.join(max(0.0, patient_until - time.monotonic()))
             self._hand_back(held)
         self.shift.end()
 
