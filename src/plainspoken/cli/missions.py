@@ -71,7 +71,7 @@ def _summary(entries: Sequence[Entry], place: Place | None) -> dict[str, Any]:
         "instant": mission.instant,
         "satisfied": mission.satisfied,
         "request": accepted.sentence or accepted.goal,
-        "robots": list(place.robots) if place else [],
+        "robots": list(robots_of(accepted)),
         "worker": place.worker if place else None,
         "trouble": place.trouble if place else None,
     }

@@ -40,6 +40,7 @@ class Standing(StrEnum):
 class Place:
     """A mission in the queue.
 
+    robots:  that it reserves, until it is over
     worker:  who carries it out, None where nobody does
     trouble: why the last worker could not go on with it
     """
@@ -84,6 +85,23 @@ def places(session: Session) -> tuple[Place, ...]:
     )
 
 
+def place(session: Session, mission: MissionId) -> Place | None:
+    """The place of one mission; None where it never had one."""
+    rows = session.rows("SELECT standing, worker, trouble FROM place WHERE mission = ?", (mission,))
+    if not rows:
+        return None
+    standing, worker, trouble = rows[0]
+    robots = session.rows(
+        "SELECT robot FROM reservation WHERE mission = ? ORDER BY robot", (mission,)
+    )
+    return Place(mission, Standing(standing), tuple(name for (name,) in robots), worker, trouble)
+
+
+def is_done(session: Session) -> bool:
+    """Whether no mission is to be carried out, by anyone."""
+    return not session.rows("SELECT 1 FROM place WHERE standing = 'going' LIMIT 1")
+
+
 _AHEAD = """
 SELECT q.mission FROM reservation AS mine
  JOIN reservation AS theirs ON theirs.robot = mine.robot AND theirs.mission <> mine.mission
@@ -91,7 +109,7 @@ SELECT q.mission FROM reservation AS mine
  WHERE mine.mission = p.mission AND q.number < p.number AND q.standing <> 'over'
 """
 _FREE = f"""
-SELECT p.mission FROM place AS p WHERE p.worker IS NULL
+SELECT p.mission FROM place AS p WHERE p.worker IS NULL AND p.standing <> 'over'
  AND (p.standing = 'going' OR (p.standing = 'resting' AND EXISTS (
    SELECT 1 FROM message WHERE message.mission = p.mission AND message.answered IS NULL)))
  AND NOT EXISTS ({_AHEAD}) ORDER BY p.number LIMIT ?
@@ -130,12 +148,14 @@ def release(
     standing: Standing,
     trouble: str | None = None,
 ) -> None:
-    """Hand a mission back, unless somebody else has it by now."""
-    session.change(
+    """Hand a mission back, unless somebody else has it by now; what is over frees its robots."""
+    released = session.change(
         "UPDATE place SET worker = NULL, standing = ?, trouble = ?"
         " WHERE mission = ? AND worker = ?",
         (standing, trouble, mission, worker),
     )
+    if released and standing is Standing.OVER:
+        session.change("DELETE FROM reservation WHERE mission = ?", (mission,))
 
 
 def post(session: Session, mission: MissionId, document: str) -> MessageNumber | None:

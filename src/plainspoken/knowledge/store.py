@@ -65,7 +65,7 @@ class Store(Log):
         """Give a mission a place that has a log, but no place yet: one of an older store."""
         with self.database.writing() as session:
             self.database.alone(session)
-            if self._place(session, mission) is None:
+            if queue.place(session, mission) is None:
                 queue.enlist(session, mission, robots, None)
                 session.change(
                     "UPDATE place SET standing = ? WHERE mission = ?", (Standing.RESTING, mission)
@@ -78,7 +78,12 @@ class Store(Log):
 
     def place(self, mission: MissionId) -> Place | None:
         with self.database.reading() as session:
-            return self._place(session, mission)
+            return queue.place(session, mission)
+
+    def is_done(self) -> bool:
+        """Whether no mission is to be carried out, by anyone."""
+        with self.database.reading() as session:
+            return queue.is_done(session)
 
     # -- requests ------------------------------------------------------------------------------
 
@@ -179,7 +184,3 @@ class Store(Log):
         for worker in gone:
             self.database.leave(worker)
         return tuple(gone)
-
-    @staticmethod
-    def _place(session: Session, mission: MissionId) -> Place | None:
-        return next((each for each in queue.places(session) if each.mission == mission), None)

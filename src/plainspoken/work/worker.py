@@ -72,7 +72,7 @@ class Worker:
                     self.shift.renew()
                     away = False
                 self._round()
-                if until_done and not self._threads and self._is_all_done():
+                if until_done and not self._threads and self._store.is_done():
                     break
             except StoreError as error:
                 if not away:
@@ -99,9 +99,6 @@ class Worker:
         self.shift.hand_back(held, standing, trouble)
         self._threads.pop(held)
         self._endings.pop(held, None)
-
-    def _is_all_done(self) -> bool:
-        return all(place.standing is not Standing.GOING for place in self._store.places())
 
     def _leave(self) -> None:
         for held in self._threads:
