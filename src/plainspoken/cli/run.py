@@ -17,8 +17,13 @@ from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.knowledge.jsonl import JsonlWriter
+from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
+from plainspoken.mission.mission import Mission
+from plainspoken.mission.robot import Robot
+from plainspoken.mission.run import Patience
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
+from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
 from plainspoken.work.shift import Shift, robots_of
 
@@ -137,31 +142,48 @@ def run(
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
     request = Request(id, formula, say, settings.to_json())
-    accepted = accepted_as(site, request)
-    first, robots = queued(accepted, ending.policy), robots_of(accepted)
-    with ExitStack() as stack:
-        kept = stack.enter_context(open_store(store))
+    with open_store(store) as kept:
         if detach:
-            kept.begin(id, utc_now().isoformat(timespec="milliseconds"), first, robots)
-            click.echo(id)
-            if not kept.workers():
-                click.echo("it waits for a worker; start one with: plainspoken work", err=True)
+            _left_to_workers(kept, site, request, ending.policy)
             return
+        mission = _carried_out(
+            kept, site, request, ending.policy, (simulator, patience), log=log, as_json=as_json
+        )
+    ended(mission)
+
+
+def _left_to_workers(kept: Store, site: Site, request: Request, policy: Policy) -> None:
+    accepted = accepted_as(site, request)
+    time = utc_now().isoformat(timespec="milliseconds")
+    kept.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
+    click.echo(request.mission)
+    if not kept.workers():
+        click.echo("it waits for a worker; start one with: plainspoken work", err=True)
+
+
+def _carried_out(
+    kept: Store,
+    site: Site,
+    request: Request,
+    policy: Policy,
+    robot: tuple[Robot, Patience],
+    *,
+    log: Path | None,
+    as_json: bool,
+) -> Mission:
+    """Carry a mission out here; one whose robot has a name waits until it is its turn."""
+    accepted = accepted_as(site, request)
+    with ExitStack() as stack:
         file = stack.enter_context(JsonlWriter(log)) if log is not None else None
         shift = stack.enter_context(Shift(kept))
-        held = shift.found(id, robots)
-        if not names:
-            events = carry_out(
-                site,
-                request,
-                ending.policy,
-                simulator,
-                written_too(held.record, file),
-                requests=held.requests,
-                patience=patience,
-            )
-        else:
-            begun = written_too(held.record, file)(0, first)
+        held = shift.found(request.mission, robots_of(accepted))
+        record = written_too(held.record, file)
+        if accepted.robot.get("names"):
+            begun = record(0, queued(accepted, policy))
             events = going_on(shift, held, site, first=begun, file=file)
-        mission = watched(shift, held, events, site, as_json=as_json)
-    ended(mission)
+        else:
+            simulator, patience = robot
+            events = carry_out(
+                site, request, policy, simulator, record, requests=held.requests, patience=patience
+            )
+        return watched(shift, held, events, site, as_json=as_json)

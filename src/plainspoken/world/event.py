@@ -172,10 +172,7 @@ class Resumed:
 
 @dataclass(frozen=True, slots=True)
 class TakenUp:
-    """Another process goes on with the mission; a pause stays, and an action may be under way.
-
-    by: which worker
-    """
+    """The worker `by` goes on with the mission; a pause stays, an action may be under way."""
 
     kind: ClassVar[str] = "taken_up"
     by: str
