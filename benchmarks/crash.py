@@ -182,10 +182,11 @@ def measured(kind: str, options: argparse.Namespace) -> bool:
     for what, count in sorted(found.items()):
         print(f"  {count:4d}  {what}")
     late = sum(each > RESUMED_WITHIN for each in seconds)
-    print(
-        f"  resumed after {statistics.median(seconds):.2f} s (median), {max(seconds):.2f} s (most);"
-        f" {late} later than {RESUMED_WITHIN:.0f} s"
-    )
+    if seconds:
+        print(
+            f"  resumed after {statistics.median(seconds):.2f} s (median), {max(seconds):.2f} s"
+            f" (most); {late} later than {RESUMED_WITHIN:.0f} s"
+        )
     if silent:
         print(f"  a worker that hangs was replaced after {max(silent):.1f} s at most")
     return late == 0 and not any(what.startswith("WRONG") for what in found)

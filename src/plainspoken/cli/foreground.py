@@ -20,6 +20,7 @@ from plainspoken.mission.mission import Mission, Status, mission_from
 from plainspoken.mission.observation import CancelAsked
 from plainspoken.pipeline import Site, accepted_of, take_up
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import TICK, Held, Shift, standing_of
 from plainspoken.world.event import Entry
 
@@ -51,7 +52,7 @@ def going_on(
             yield from take_up(
                 site,
                 entries,
-                robot,
+                FencedRobot(robot, held),
                 written_too(held.record, file),
                 by=held.worker,
                 requests=held.requests,

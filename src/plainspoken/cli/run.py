@@ -25,6 +25,7 @@ from plainspoken.mission.run import Patience
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
+from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import Shift, robots_of
 
 
@@ -184,6 +185,12 @@ def _carried_out(
         else:
             simulator, patience = robot
             events = carry_out(
-                site, request, policy, simulator, record, requests=held.requests, patience=patience
+                site,
+                request,
+                policy,
+                FencedRobot(simulator, held),
+                record,
+                requests=held.requests,
+                patience=patience,
             )
         return watched(shift, held, events, site, as_json=as_json)

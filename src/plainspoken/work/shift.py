@@ -29,6 +29,7 @@ from plainspoken.knowledge.queue import (
     Message,
     MessageNumber,
     RobotName,
+    Seconds,
     Standing,
 )
 from plainspoken.knowledge.store import Store
@@ -77,13 +78,19 @@ class Held:
         worker: WorkerId,
         mission: MissionId,
         now: Callable[[], datetime],
+        silence: Callable[[], Seconds],
+        *,
         robots: Iterable[RobotName] = (),
     ) -> None:
-        """Take a mission that has a place, or one that is yet to be begun with its robots."""
+        """Take a mission that has a place, or one that is yet to be begun with its robots.
+
+        silence: for how long this process may not have been heard of
+        """
         self.mission, self.worker = mission, worker
         self._store = store
         self._step: Step = 0
         self._now = now
+        self._silence = silence
         self._robots = tuple(robots)
         self._messages: queue.SimpleQueue[Message] = queue.SimpleQueue()
         self._told: MessageNumber = 0
@@ -106,6 +113,14 @@ class Held:
     def let_go(self) -> None:
         """Have whoever carries the mission out stop at the next moment, and write nothing more."""
         self._let_go.set()
+
+    def check(self) -> None:
+        """Make sure that the mission is still in this process's hands, as far as it can tell.
+
+        raises LetGo: when it is not to go on, or was not heard of for as long as a lease lasts
+        """
+        if self._let_go.is_set() or self._silence() >= LEASE:
+            raise LetGo(self.mission)
 
     def requests(self) -> Asked | None:
         """What was asked, one at a time.
@@ -187,8 +202,8 @@ class Shift:
 
     def begin(self) -> None:
         """Be a worker from now on."""
-        self.store.enrol(self.worker)
         self._heard = time.monotonic()
+        self.store.enrol(self.worker)
 
     def end(self) -> None:
         """Be no worker any more; what is held can be taken by others."""
@@ -219,7 +234,7 @@ class Shift:
         return held
 
     def _hold(self, mission: MissionId, robots: Iterable[RobotName] = ()) -> Held:
-        held = Held(self.store, self.worker, mission, self._now, robots)
+        held = Held(self.store, self.worker, mission, self._now, self._silence, robots=robots)
         with self._lock:
             self._held[mission] = held
         return held
@@ -239,12 +254,15 @@ class Shift:
         Whoever was taken for dead loses all missions, and begins anew under another name.
         """
         if time.monotonic() - self._heard >= BEAT:
-            alive = self.store.beat(self.worker)
-            self._heard = time.monotonic()
-            if not alive:
+            sent = time.monotonic()  # it counts from before the store heard
+            if not self.store.beat(self.worker):
                 self.renew()
                 return
+            self._heard = sent
         self._hand_on()
+
+    def _silence(self) -> Seconds:
+        return time.monotonic() - self._heard
 
     def _hand_on(self) -> None:
         held = {each.mission: each for each in self.held}

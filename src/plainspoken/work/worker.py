@@ -17,6 +17,7 @@ from plainspoken.knowledge.store import Store
 from plainspoken.mission.robot import Robot
 from plainspoken.mission.run import Patience
 from plainspoken.pipeline import Site, accepted_of, site_of, take_up
+from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import TICK, Held, LetGo, Shift, standing_of, utc_now
 from plainspoken.world.event import Entry
 
@@ -130,7 +131,7 @@ class Worker:
             run = take_up(
                 site,
                 entries,
-                robot,
+                FencedRobot(robot, held),
                 held.record,
                 by=held.worker,
                 requests=held.requests,
