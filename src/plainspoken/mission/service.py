@@ -21,9 +21,14 @@ Fields = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Going:
-    """The call is under way; feedback is the last that was told of it."""
+    """The call is under way; feedback is the last that was told of it.
+
+    heard: whether the far end has said that it has the call; where it has not, and then says that
+           it knows of none, the call may be made again
+    """
 
     feedback: Fields
+    heard: bool = True
 
 
 @dataclass(frozen=True, slots=True)

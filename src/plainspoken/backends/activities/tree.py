@@ -143,9 +143,10 @@ class CallNode(Behaviour):
             self._stage.loses(self._service, error)
             return Status.RUNNING
         match status:
-            case Going(feedback):
+            case Going(feedback, heard):
                 self.feedback = feedback
-                self._heard()
+                if heard and self._note("heard") is None:
+                    self._journal("heard", value=True)
                 return Status.RUNNING
             case Done(result):
                 return self._end(self._judged(result))
@@ -216,10 +217,6 @@ class CallNode(Behaviour):
         self._stage.last = ended["done"]
         self._stage.results[self._call.service] = ended["done"]
         return Status.SUCCESS
-
-    def _heard(self) -> None:
-        if self._note("heard") is None:
-            self._journal("heard", value=True)
 
     def _note(self, key: str) -> Any:
         return self._stage.journal.get(self._id, key)
