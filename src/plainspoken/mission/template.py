@@ -1,7 +1,8 @@
 """Templates of fields: `{to}` is an argument of the action, `{to.x}` what is known of it.
 
 A text that is one placeholder and nothing else takes the value as it is, a number for one; in a
-longer text it is written out. Results and feedback are read with the same paths: `sequence.0`.
+longer text it is written out. Results and feedback are read with the same paths: `sequence.0`
+is the first of a list, `sequence.-1` the last.
 """
 
 from __future__ import annotations
@@ -111,4 +112,4 @@ def _same(found: Any, expected: Any) -> bool:
 
 
 def _is_index(part: str, values: Sequence[Any]) -> bool:
-    return part.isdecimal() and int(part) < len(values)
+    return part.removeprefix("-").isdecimal() and -len(values) <= int(part) < len(values)

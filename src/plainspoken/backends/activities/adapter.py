@@ -23,6 +23,7 @@ COMMON = ("via", "succeeds", "reason", "progress", "doing", "limit")
 """Keys that every service may have, whatever the adapter; see `mission.repertoire.Offer`."""
 BUNDLED = {
     "http": "plainspoken.backends.http",
+    "ros2": "plainspoken.backends.ros2",
     "human": "plainspoken.backends.human",
     "mission": "plainspoken.backends.nested",
 }
