@@ -7,8 +7,9 @@ GET    /goals/{id}   {"state": "going" | "done" | "failed", "progress", "doing",
 DELETE /goals/{id}   give it up
 GET    /scene        {"atoms": [...]}: all that is true
 
-The tasks are those of TASKS. What they come to is drawn by a simulator; a robot of yours would
-drive, look and pick instead.
+The tasks are those of TASKS, and {"task": "tell", "grape": "g1", "is": "ripe"}: what a person
+says of a grape that the robot could not judge. What they come to is drawn by a simulator; a robot
+of yours would drive, look and pick instead.
 """
 
 from __future__ import annotations
@@ -30,7 +31,6 @@ from plainspoken.world.domain import Problem, State
 TASKS = {
     "drive": ("move", ("robot", "from", "to")),
     "check": ("check-grape", ("robot", "grape", "at")),
-    "decide": ("ask-human", ("robot", "grape", "at")),
     "pick": ("harvest-grape", ("robot", "grape", "at")),
     "drop": ("drop-grape", ("robot", "grape", "box")),
     "call": ("call-support", ("robot", "support", "from", "to")),
@@ -59,6 +59,8 @@ class VineyardRobot:
         with self._lock:
             if id in self._tasks:
                 return 200, {"state": "going"}
+            if task.get("task") == "tell":
+                return self._told(id, task)
             if task.get("task") not in TASKS:
                 return 422, {"reason": f"no task {task.get('task')!r}: {', '.join(TASKS)}"}
             action, fields = TASKS[task["task"]]
@@ -71,10 +73,21 @@ class VineyardRobot:
             self.simulator.send(id, " ".join([action, *(str(task[each]) for each in fields)]))
             return 202, {"state": "going"}
 
+    def _told(self, id: str, task: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Take in what a person says of a grape."""
+        grape, kind = task.get("grape"), task.get("is")
+        if f"unknown {grape}" not in self.simulator.state() or kind not in ("ripe", "unripe"):
+            return 422, {"reason": f"there is nothing to tell of {grape!r}, or not {kind!r}"}
+        self.simulator.disturb(added=[f"{kind} {grape}"], deleted=[f"unknown {grape}"])
+        self._tasks[id] = task
+        return 202, {"state": "going"}
+
     def get(self, id: str) -> tuple[int, dict[str, Any]]:
         with self._lock:
             now = time.monotonic()
             passed, self._clock = now - self._clock, now
+            if self._tasks.get(id, {}).get("task") == "tell":
+                return 200, {"state": "done"}
             match self.simulator.wait(id, passed):
                 case Unheard():
                     return 404, {"reason": f"no goal {id}"}
@@ -99,7 +112,7 @@ class VineyardRobot:
         """What the robot would say of its task: not facts of a domain, but its own words."""
         task, changed = self._tasks[id], state - self._before[id]
         match task["task"]:
-            case "check" | "decide":
+            case "check":
                 kinds = ("ripe", "unripe", "unknown")
                 return {"grape": next(k for k in kinds if f"{k} {task['grape']}" in changed)}
             case "drop":

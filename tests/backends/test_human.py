@@ -12,7 +12,7 @@ from tests.backends.activities.errands import ARRIVED, PROBLEM
 from tests.mission.conformance import ended
 
 from plainspoken.backends.activities.configuration import robot_from
-from plainspoken.backends.human import Questions
+from plainspoken.backends.questions import Questions
 from plainspoken.errors import InputFileError, PlainspokenError
 from plainspoken.mission.robot import Failed, Robot, Succeeded, UnderWay
 from plainspoken.world.domain import State

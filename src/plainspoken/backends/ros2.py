@@ -22,7 +22,7 @@ from plainspoken.backends.activities.document import Section, Value
 from plainspoken.backends.activities.journal import Journal
 from plainspoken.backends.ros2_action import ActionService
 from plainspoken.backends.ros2_client import NamedClients, Node
-from plainspoken.backends.ros2_message import MessageError, fields_of, message_of, type_of
+from plainspoken.backends.ros2_message import MessageError, fields_of, type_of
 from plainspoken.mission.robot import Seconds, Unreachable
 from plainspoken.mission.service import CallId, CallStatus, Done, Fields, Going, NotDone, Service
 
@@ -114,35 +114,31 @@ class CallService(NamedClients):
         self._type = type
         self._timeout = timeout
         self._calls: dict[CallId, tuple[Any, Seconds]] = {}
-        self._ended: dict[CallId, Done | NotDone] = {}
         super().__init__(adapter, name, type.Request)
 
     def begin(self, call: CallId, fields: Fields) -> None:
-        if call in self._ended or call in self._calls:
+        if call in self.ended or call in self._calls:
             return
-        try:
-            message = message_of(self.message, self.sent(fields))
-        except MessageError as error:
-            self._ended[call] = NotDone(error.what)
+        begun = self.begun(call, fields)
+        if begun is None:
             return
-        client = self.begun(call, fields)
-        self.needs(client)
+        client, message = begun
         self._calls[call] = client.call_async(message), time.monotonic() + self._timeout
 
     def status(self, call: CallId) -> CallStatus:
-        if call not in self._ended and call in self._calls:
+        if call not in self.ended and call in self._calls:
             future, until = self._calls[call]
             if future.done():
-                self._ended[call] = Done(fields_of(future.result()))
+                self.ended[call] = Done(fields_of(future.result()))
             elif time.monotonic() > until:
-                self._ended[call] = NotDone(
+                self.ended[call] = NotDone(
                     f"no answer from {self.name} in {self._timeout:g} s: "
                     "it is not known whether it was done"
                 )
             else:
                 return Going({}, heard=False)
         unknown = NotDone("it is not known whether it was done: nobody waited for the answer")
-        return self._ended.get(call, unknown)
+        return self.ended.get(call, unknown)
 
     def cancel(self, call: CallId) -> None:
         """A ROS service cannot be cancelled; its answer is waited for."""

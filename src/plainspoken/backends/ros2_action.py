@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from plainspoken.backends.ros2_client import NamedClients, Node
-from plainspoken.backends.ros2_message import MessageError, fields_of, message_of
+from plainspoken.backends.ros2_message import fields_of
 from plainspoken.mission.robot import Seconds, Unheard, Unreachable
 from plainspoken.mission.service import CallId, CallStatus, Done, Fields, Going, NotDone
 from plainspoken.mission.template import UnfilledError, filled
@@ -66,25 +66,21 @@ class ActionService(NamedClients):
         self._type = type
         self._reason = reason
         self._goals: dict[CallId, _Goal] = {}
-        self._ended: dict[CallId, Done | NotDone] = {}
         super().__init__(adapter, name, type.Goal)
 
     def begin(self, call: CallId, fields: Fields) -> None:
-        if call in self._ended or call in self._goals:
+        if call in self.ended or call in self._goals:
             return
-        try:
-            message = message_of(self.message, self.sent(fields))
-        except MessageError as error:
-            self._ended[call] = NotDone(error.what)
+        begun = self.begun(call, fields)
+        if begun is None:
             return
-        client = self.begun(call, fields)
-        self.needs(client)
+        client, message = begun
         goal = self._goals[call] = _Goal(client, self._handle(client, call))
         goal.accepted = client.send_goal_async(message, _hears(goal), goal.handle.goal_id)
 
     def status(self, call: CallId) -> CallStatus:
-        if call in self._ended:
-            return self._ended[call]
+        if call in self.ended:
+            return self.ended[call]
         goal = self._goals.get(call) or self._found(call)
         if goal is None:
             return Unheard()
@@ -96,7 +92,7 @@ class ActionService(NamedClients):
 
     def cancel(self, call: CallId) -> None:
         goal = self._goals.get(call) or self._found(call)
-        if goal is not None and call not in self._ended:
+        if goal is not None and call not in self.ended:
             self.needs(goal.client)
             goal.handle.cancel_goal_async()
 
@@ -188,7 +184,7 @@ class ActionService(NamedClients):
             return f"aborted: {dict(result)}"
 
     def _end(self, call: CallId, status: Done | NotDone) -> CallStatus:
-        self._ended[call] = status
+        self.ended[call] = status
         self._goals.pop(call, None)
         return status
 

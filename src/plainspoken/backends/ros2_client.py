@@ -6,9 +6,9 @@ import time
 from typing import Any, Protocol
 
 from plainspoken.backends.activities.journal import Journal
-from plainspoken.backends.ros2_message import objection
+from plainspoken.backends.ros2_message import MessageError, message_of, objection
 from plainspoken.mission.robot import Seconds, Unreachable
-from plainspoken.mission.service import CallId, Fields
+from plainspoken.mission.service import CallId, Done, Fields, NotDone
 from plainspoken.mission.template import filled, paths_in
 
 DISCOVERY: Seconds = 3.0
@@ -33,6 +33,7 @@ class NamedClients:
     def __init__(self, adapter: Node, name: str, message: Any) -> None:
         self.adapter, self.name, self.message = adapter, name, message
         self.clients: dict[str, Any] = {}
+        self.ended: dict[CallId, Done | NotDone] = {}
         self.named = frozenset(paths_in(name))
         if not self.named:
             self.client(name)  # so that it is discovered before it is needed
@@ -47,12 +48,23 @@ class NamedClients:
         """The fields that go into the message."""
         return {key: value for key, value in fields.items() if key not in self.named}
 
-    def begun(self, call: CallId, fields: Fields) -> Any:
-        """The client for a call that begins now; another process will find its name."""
+    def begun(self, call: CallId, fields: Fields) -> tuple[Any, Any] | None:
+        """The client and the message for a call that begins now; another process will find it.
+
+        None where the fields do not fit, with which the call has ended
+        raises Unreachable: when there is no server
+        """
+        try:
+            message = message_of(self.message, self.sent(fields))
+        except MessageError as error:
+            self.ended[call] = NotDone(error.what)
+            return None
         name = str(filled(self.name, fields))
         if self.named:
             self.adapter.journal.note(call, _NAME, name)
-        return self.client(name)
+        client = self.client(name)
+        self.needs(client)
+        return client, message
 
     def again(self, call: CallId) -> Any | None:
         """The client of a call that was begun; None where its name was never noted."""

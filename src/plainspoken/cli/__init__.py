@@ -18,6 +18,7 @@ COMMANDS = {
     "export": "Write a policy or an automaton for other tools.",
     "run": "Carry a mission out and record it.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
+    "answer": "Answer what a mission asks of people.",
     "eval": "Measure how well sentences are understood.",
     "missions": "List the missions in a store.",
     "doctor": "See what is installed, and which symbols a problem has.",

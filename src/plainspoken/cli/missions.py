@@ -14,8 +14,8 @@ from rich.table import Table
 
 from plainspoken.cli.exit import NO
 from plainspoken.cli.record import entries_of, fresh_file, recorder, utc_now
+from plainspoken.cli.robots import asking_here, heeding, opened, robot_in
 from plainspoken.cli.run import ended, shown
-from plainspoken.cli.simulated import Settings, simulated
 from plainspoken.cli.site import FILE
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
@@ -73,11 +73,16 @@ def resume(id: str, store: str | None, pace: float, *, as_json: bool) -> None:
     if mission_from(entries).is_over:
         raise PlainspokenError(f"the mission {id} is over", hint="`plainspoken ask` tells of it")
     site = site_of(accepted)
-    simulator, patience = simulated(site, Settings.of(accepted.robot), pace=pace, entries=entries)
-    with SqliteLog(store_path(store)) as kept:
-        record = recorder(kept, id, None, utc_now)
-        events = go_on(site, entries, simulator, record, by="command line", patience=patience)
-        mission = shown(events, site, as_json=as_json)
+    path, chosen = store_path(store), robot_in(accepted.robot)
+    with ExitStack() as stack:
+        robot, patience = stack.enter_context(
+            opened(site, chosen, store=path, pace=pace, entries=entries)
+        )
+        kept = stack.enter_context(SqliteLog(path))
+        record = heeding(robot, recorder(kept, id, None, utc_now))
+        events = go_on(site, entries, robot, record, by="command line", patience=patience)
+        with asking_here(path, id):
+            mission = shown(events, site, as_json=as_json)
     ended(mission)
 
 

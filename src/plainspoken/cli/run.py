@@ -15,7 +15,8 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, recorder, utc_now
-from plainspoken.cli.simulated import Settings, simulated
+from plainspoken.cli.robots import KINDS, asking_here, chosen_robot, heeding, opened
+from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
@@ -34,10 +35,15 @@ Run = Generator[Entry, None, Mission]
 @goal_options
 @click.option(
     "--robot",
-    type=click.Choice(["simulator"]),
-    default="simulator",
-    help="Who carries it out.",
-    show_default=True,
+    type=click.Choice(KINDS),
+    help="Who carries it out: the simulator, or how the services of --robots are reached where "
+    "the file does not say.",
+)
+@click.option(
+    "--robots",
+    type=FILE,
+    metavar="FILE",
+    help="Robots that a YAML file describes: services, and each action as an activity of them.",
 )
 @click.option("--seed", default=0, help="What chance draws in the simulator.", show_default=True)
 @click.option(
@@ -81,7 +87,8 @@ def run(
     landmarks: Path | None,
     goal: str | None,
     say: str | None,
-    robot: str,
+    robot: str | None,
+    robots: Path | None,
     seed: int,
     steer: tuple[str, ...],
     faults: tuple[str, ...],
@@ -101,27 +108,31 @@ def run(
     \b
     plainspoken run --say "Clear line 2" --steer "unripe g2" --log run.jsonl
     plainspoken run --say "Clear line 2" --fault hanging:0.2 --fault person:0.1
+    plainspoken run --say "Clear line 2" --robots examples/robots/http.yaml
     plainspoken ask "What did you do so far?" --log run.jsonl
     """
-    del robot  # the simulator is the only one there is
     site: Site = chosen_site(domain, problem, landmarks)
     formula, _ = chosen_goal(goal, say, site)
     settings = Settings(seed, steer, faults, action_timeout)
-    simulator, patience = simulated(site, settings, pace=pace)
+    chosen = chosen_robot(robot, robots, settings, pace)
     if log is not None:
         fresh_file(log, overwrite=overwrite)
-    with progress_shown() as on_progress:
-        ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
-    if not isinstance(ending, Solved):
-        click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
-        sys.exit(NO)
-    request = Request(new_mission_id(utc_now), formula, say, settings.to_json())
+    path = store_path(store)
     with ExitStack() as stack:
-        kept = stack.enter_context(SqliteLog(store_path(store)))
+        # Before it is planned: what is wrong with a robots' file is known at once.
+        device, patience = stack.enter_context(opened(site, chosen, store=path, pace=pace))
+        with progress_shown() as on_progress:
+            ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
+        if not isinstance(ending, Solved):
+            click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
+            sys.exit(NO)
+        request = Request(new_mission_id(utc_now), formula, say, chosen.to_json())
+        kept = stack.enter_context(SqliteLog(path))
         file = stack.enter_context(JsonlWriter(log)) if log is not None else None
-        record = recorder(kept, request.mission, file, utc_now)
-        events = carry_out(site, request, ending.policy, simulator, record, patience=patience)
-        mission = shown(events, site, as_json=as_json)
+        record = heeding(device, recorder(kept, request.mission, file, utc_now))
+        events = carry_out(site, request, ending.policy, device, record, patience=patience)
+        with asking_here(path, request.mission):
+            mission = shown(events, site, as_json=as_json)
     ended(mission)
 
 

@@ -14,7 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Protocol, cast
 
-from plainspoken.backends.activities.document import Section, Value
+from plainspoken.backends.activities.document import Section, Value, did_you_mean
 from plainspoken.backends.activities.journal import Journal
 from plainspoken.knowledge.log import EventLog
 from plainspoken.mission.service import Service
@@ -35,11 +35,13 @@ class Around:
 
     journal: keeps notes over the end of the process, for calls that are to be found again
     log:     opens the store of missions, for those that have missions of their own
+    via:     the adapter of services that do not name one
     """
 
     journal: Journal
     log: Callable[[], AbstractContextManager[EventLog]]
     store: Path
+    via: str | None = None
 
 
 class Adapter(Protocol):
@@ -54,15 +56,16 @@ class Adapter(Protocol):
     def close(self) -> None: ...
 
 
-def opened(via: Value, settings: Section | None, around: Around) -> Adapter:
-    """The adapter of a name.
+def opened(name: str, at: Value, settings: Section | None, around: Around) -> Adapter:
+    """The adapter of a name, which stands or would stand in this place of the file.
 
     raises InputFileError: when there is none, or what it needs is not installed
     """
-    name = via.text() if "." in str(via.plain()) else via.one_of(BUNDLED)
+    if name not in BUNDLED and "." not in name:
+        raise at.error(f"{name!r} is not known here", did_you_mean(name, BUNDLED))
     try:
         module = import_module(BUNDLED.get(name, name))
         open_adapter = cast("Callable[[Section | None, Around], Adapter]", module.open_adapter)
+        return open_adapter(settings, around)
     except (ImportError, AttributeError) as error:
-        raise via.error(f"no adapter {name!r}: {error}") from error
-    return open_adapter(settings, around)
+        raise at.error(f"no adapter {name!r}: {error}") from error

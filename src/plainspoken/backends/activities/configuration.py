@@ -15,11 +15,11 @@ has every key.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from plainspoken.backends.activities.adapter import BUNDLED, Around, opened
+from plainspoken.backends.activities.adapter import BUNDLED, Adapter, Around, opened
 from plainspoken.backends.activities.document import Section, Value, did_you_mean, read_yaml
 from plainspoken.backends.activities.journal import Journal
 from plainspoken.backends.activities.reading import (
@@ -33,6 +33,7 @@ from plainspoken.backends.activities.reading import (
 from plainspoken.backends.activities.robot import ActivityRobot
 from plainspoken.knowledge.log import SqliteLog
 from plainspoken.mission.repertoire import Conduct, Offer, Outcome, Repertoire, Sensor
+from plainspoken.mission.robot import Unreachable
 from plainspoken.mission.service import Service
 from plainspoken.mission.template import Table
 from plainspoken.world.domain import (
@@ -53,22 +54,43 @@ JOURNAL = ".robots.jsonl"
 
 @contextmanager
 def robot_from(
-    path: Path, problem: Problem, store: Path, *, state: State | None = None
+    path: Path,
+    problem: Problem,
+    store: Path,
+    *,
+    via: str | None = None,
+    state: State | None = None,
 ) -> Iterator[ActivityRobot]:
     """The robot that a file describes; its connections end with the context.
 
+    via:   the adapter of services that do not name one
     state: what is believed at first, None for the problem's s0
     raises InputFileError: with file, line and what was expected
     """
     with ExitStack() as stack:
         journal = stack.enter_context(closing(Journal(store.with_name(store.name + JOURNAL))))
 
-        def log() -> AbstractContextManager[SqliteLog]:
-            return SqliteLog(store)
-
-        around = Around(journal, log, store)
+        around = Around(journal, lambda: SqliteLog(store), store, via)
         repertoire, services = read_robots(path, problem, around, stack)
         yield ActivityRobot(problem, repertoire, services, journal, state=state)
+
+
+def reached(path: Path, problem: Problem, store: Path, via: str | None) -> dict[str, str]:
+    """Try every service of a robots' file; what is wrong with each, empty where nothing is.
+
+    raises InputFileError: when the file is wrong
+    """
+    found = {}
+    with ExitStack() as stack:
+        journal = stack.enter_context(closing(Journal()))
+        around = Around(journal, lambda: SqliteLog(store), store, via)
+        for name, service in read_robots(path, problem, around, stack)[1].items():
+            try:
+                service.reach()
+                found[name] = ""
+            except Unreachable as error:
+                found[name] = error.what
+    return found
 
 
 def read_robots(
@@ -91,14 +113,17 @@ def _services(
 ) -> tuple[dict[str, Service], dict[str, Offer]]:
     services: dict[str, Service] = {}
     offers: dict[str, Offer] = {}
-    adapters = {}
+    adapters: dict[str, Adapter] = {}
     for name, value in file.need("services", "what can be called").section():
         section = value.section()
-        via = section.need("via", f"how the service is reached: {', '.join(BUNDLED)}")
-        kind = str(via.plain())
+        via = section.get("via")
+        if via is None and around.via is None:
+            section.need("via", f"how the service is reached: {', '.join(BUNDLED)}")
+        kind = str(around.via) if via is None else via.text()
         if kind not in adapters:
             own = file.get(kind)
-            adapters[kind] = opened(via, None if own is None else own.section(), around)
+            settings = None if own is None else own.section()
+            adapters[kind] = opened(kind, via or value, settings, around)
             stack.callback(adapters[kind].close)
         services[name] = adapters[kind].service(section)
         offers[name] = _offer(section)
@@ -171,7 +196,9 @@ class _Reader:
     def _conduct(self, schema: Action, section: Section, objects: Table, *, seen: bool) -> Conduct:
         """How an action is done; seen: whether something is sensed of what comes of it."""
         section.only("do", "outcomes")
-        scope = Scope(self.problem, schema.parameters, objects, OF_EVERY_ACTION)
+        scope = Scope(
+            self.problem, schema.parameters, objects, OF_EVERY_ACTION, tuple(self.services)
+        )
         do = section.need("do", "the activity that the action is")
         activity = ActivityReader(scope, self.services).read(do)
         given = section.get("outcomes")

@@ -30,12 +30,16 @@ OF_EVERY_ACTION = ("action", "goal")
 
 @dataclass(frozen=True)
 class Scope:
-    """What templates may name: parameters, and what is known of the objects that fit them."""
+    """What templates may name: parameters, and what is known of the objects that fit them.
+
+    more:    further words; results: services, of whose results nobody knows the fields before
+    """
 
     problem: Problem
     parameters: tuple[Parameter, ...]
     objects: Table
     more: tuple[str, ...] = ()
+    results: tuple[str, ...] = ()
 
     @property
     def names(self) -> dict[str, Parameter]:
@@ -53,9 +57,9 @@ class Scope:
 
     def _check(self, path: str, at: Value) -> None:
         name, _, key = path.partition(".")
-        if name in self.more and not key:
-            return
         parameter = self.names.get(name)
+        if parameter is None and (name in self.results if key else name in self.more):
+            return
         if parameter is None:
             raise at.error(
                 f"there is no {{{name}}} here", did_you_mean(name, [*self.names, *self.more])

@@ -135,13 +135,16 @@ class CallNode(Behaviour):
                 self._service.cancel(self._id)
                 self._told_to_stop = True
             elif not self._begun:
+                fields = self._filled(self._call.fields)
                 self._journal("called", value=True)
-                self._service.begin(self._id, self._filled(self._call.fields))
+                self._service.begin(self._id, fields)
                 self._begun = True
             status = self._service.status(self._id)
         except Unreachable as error:
             self._stage.loses(self._service, error)
             return Status.RUNNING
+        except UnfilledError as error:
+            return self._stage.fails(f"{self._call.service} cannot be called: {error.what}")
         match status:
             case Going(feedback, heard):
                 self.feedback = feedback
@@ -175,7 +178,10 @@ class CallNode(Behaviour):
     @property
     def words(self) -> str | None:
         """What the call is, in words; None where nobody gave any."""
-        words = None if self._call.words is None else str(self._filled(self._call.words))
+        try:
+            words = self._filled(self._call.words)
+        except UnfilledError:
+            words = None  # it speaks of a result that an earlier call did not give
         told = self._read(self._offer.doing)
         return ": ".join(str(each) for each in (words, told) if each) or None
 
@@ -189,7 +195,9 @@ class CallNode(Behaviour):
             return None
 
     def _filled(self, template: Any) -> Any:
-        return filled(template, self._stage.arguments, self._stage.objects)
+        """A template over the arguments and, by service, the results of calls before this one."""
+        values = {**self._stage.results, **self._stage.arguments}
+        return filled(template, values, self._stage.objects)
 
     def _read(self, template: str) -> Any:
         try:

@@ -1,0 +1,224 @@
+"""`run --robots FILE`, `answer`, `missions resume` and `doctor` with a robot behind HTTP."""
+
+from __future__ import annotations
+
+import io
+import json
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from tests.backends.http_bench import EXAMPLES, SERVER
+
+from plainspoken.backends.questions import Questions
+from plainspoken.cli.robots import Robots, asking_here, chosen_robot, heeding, robot_in
+from plainspoken.cli.simulated import Settings
+from plainspoken.mission.robot import Robot
+from plainspoken.pipeline import bundled, open_site
+from plainspoken.world.event import Entry, ReportReceived
+
+SEED_OF_DOUBT = 4
+"""With it, the robot cannot judge the grape on line 1."""
+Finished = subprocess.CompletedProcess[str]
+
+
+class Far:
+    """The reference server, with a robot in the bundled vineyard."""
+
+    def __init__(self, folder: Path, seed: int, pace: float) -> None:
+        site = bundled("vineyard")
+        problem = open_site(site / "domain.pddl", site / "problem.pddl").problem
+        self.robot: Any = SERVER.VineyardRobot(problem, seed=seed, pace=pace)
+        self._server = SERVER.served(self.robot)
+        threading.Thread(target=self._server.serve_forever, args=(0.01,), daemon=True).start()
+        self.file = folder / "robots.yaml"
+        text = (EXAMPLES / "http.yaml").read_text()
+        self.file.write_text(text.replace(":8800", f":{self._server.server_port}"))
+
+    def close(self) -> None:
+        self._server.shutdown()
+        self._server.server_close()
+
+
+@pytest.fixture
+def far(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Far]:
+    monkeypatch.setenv("PLAINSPOKEN_HOME", str(tmp_path))
+    with closing(Far(tmp_path, SEED_OF_DOUBT, 0.02)) as far:
+        yield far
+
+
+def command(*arguments: str | Path) -> list[str | Path]:
+    return [sys.executable, "-m", "plainspoken", *arguments]
+
+
+def plainspoken(*arguments: str | Path) -> Finished:
+    return subprocess.run(command(*arguments), capture_output=True, text=True, check=False)
+
+
+def started(*arguments: str | Path) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        command(*arguments), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, text=True
+    )
+
+
+def question() -> dict[str, Any]:
+    """What a mission asks, as soon as it does."""
+    until = time.monotonic() + 30
+    while time.monotonic() < until:
+        found = json.loads(plainspoken("answer", "--json").stdout)
+        if found:
+            only: dict[str, Any] = found[0]
+            return only
+    raise AssertionError("nobody was asked anything")
+
+
+def events_in(log: Path) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in log.read_text().splitlines()]
+
+
+def test_a_mission_asks_a_person_waits_and_goes_on_with_the_answer(
+    far: Far, tmp_path: Path
+) -> None:
+    log = tmp_path / "run.jsonl"
+    run = started("run", "--goal", "F cleared_l1", "--robots", far.file, "--log", log)
+    asked = question()
+    assert asked["question"] == "Is the grape g1 on l1 ripe or unripe?"
+    assert plainspoken("answer", "blue").returncode == 2
+    told = plainspoken("ask", "What are you doing now?", "--log", log).stdout
+    assert "a person is asked: Is the grape g1 on l1 ripe or unripe?" in told
+    assert plainspoken("answer", "ripe", "--by", "ada").returncode == 0
+    assert run.wait(timeout=60) == 0
+    kinds = [event["kind"] for event in events_in(log)]
+    assert "action_progressed" in kinds
+    finished = [e["action"].split()[0] for e in events_in(log) if e["kind"] == "action_finished"]
+    assert finished == [
+        "move",
+        "check-grape",
+        "ask-human",
+        "harvest-grape",
+        "drop-grape",
+        "sign-off",
+    ]
+
+
+def test_a_mission_that_was_killed_while_it_waited_is_resumed_and_nothing_is_done_twice(
+    far: Far,
+) -> None:
+    run = started("run", "--goal", "F cleared_l1", "--robots", far.file)
+    mission, _, _ = question()["call"].partition("/")
+    run.send_signal(signal.SIGKILL)
+    run.wait()
+    assert plainspoken("answer", "unripe").returncode == 0, "it may be answered meanwhile"
+    again = plainspoken("missions", "resume", mission, "--json")
+    assert again.returncode == 0, again.stderr
+    assert len(far.robot.begun) == 3, "to go there, to look, to sign off: each of them once"
+    assert json.loads(again.stdout.splitlines()[-1])["satisfied"]
+
+
+def test_a_mission_that_is_killed_in_the_middle_of_an_action_finds_it_again(
+    far: Far, tmp_path: Path
+) -> None:
+    log = tmp_path / "run.jsonl"
+    run = started("run", "--goal", "F robot_at_rob_l2", "--robots", far.file, "--log", log)
+    until = time.monotonic() + 30
+    while not far.robot.begun and time.monotonic() < until:
+        time.sleep(0.005)
+    run.send_signal(signal.SIGKILL)
+    run.wait()
+    mission = events_in(log)[0]["mission"]
+    again = plainspoken("missions", "resume", mission, "--json")
+    assert again.returncode == 0, again.stderr
+    moves = [call for call in far.robot.begun if ":0.0#1" in call]
+    assert len(far.robot.begun) == len(set(moves)) == 2, "two moves, each begun once"
+
+
+def test_doctor_tells_which_services_answer(far: Far) -> None:
+    done = plainspoken("doctor", "--robots", far.file, "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout) == {"goal": "", "person": ""}
+    far.close()
+    done = plainspoken("doctor", "--robots", far.file)
+    assert done.returncode == 3
+    assert "refused" in done.stdout
+
+
+def test_a_file_that_is_wrong_stops_it_before_it_plans(far: Far) -> None:
+    far.file.write_text(far.file.read_text().replace("harvest-grape:", "harvest-grapes:"))
+    done = plainspoken("run", "--goal", "F cleared_l1", "--robots", far.file)
+    assert done.returncode == 2
+    assert "no action 'harvest-grapes'" in done.stderr
+    assert "did you mean 'harvest-grape'?" in done.stderr
+    line = far.file.read_text().splitlines().index("  harvest-grapes:") + 1
+    assert f"robots.yaml:{line}:" in done.stderr
+
+
+def test_the_robot_option_says_how_services_are_reached_that_do_not(far: Far) -> None:
+    far.file.write_text(far.file.read_text().replace("    via: http\n", ""))
+    assert "'via' is missing" in plainspoken("run", "--goal", "true", "--robots", far.file).stderr
+    done = plainspoken(
+        "run", "--goal", "F cleared_l1 | true", "--robot", "http", "--robots", far.file
+    )
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("robot", "file", "settings", "said"),
+    [
+        ("http", None, Settings(), "needs --robots FILE"),
+        ("simulator", Path("r.yaml"), Settings(), "not simulated"),
+        (None, Path("r.yaml"), Settings(seed=3), "for the simulated robot"),
+    ],
+)
+def test_options_that_do_not_go_together_are_refused(
+    robot: str | None, file: Path | None, settings: Settings, said: str
+) -> None:
+    with pytest.raises(click.UsageError, match=said):
+        chosen_robot(robot, file, settings, 0.0)
+
+
+@pytest.mark.parametrize("via", [None, "ros2"])
+def test_a_log_says_which_robot_it_was(via: str | None, tmp_path: Path) -> None:
+    chosen = Robots(tmp_path / "robots.yaml", via, 30.0)
+    assert robot_in(chosen.to_json()) == chosen
+    assert robot_in(Settings(seed=7).to_json()) == Settings(7, [])
+
+
+class Believer:
+    def __init__(self) -> None:
+        self.told: list[tuple[list[str], list[str]]] = []
+
+    def believe(self, added: tuple[str, ...], deleted: tuple[str, ...]) -> None:
+        self.told.append((list(added), list(deleted)))
+
+
+def test_what_people_report_is_told_to_a_robot_that_only_believes() -> None:
+    robot: Any = Believer()
+    checked: Robot = robot
+    stored: list[Entry] = []
+    record = heeding(checked, lambda _, __: stored)
+    report = ReportReceived("ada", "it is full", ("full b",), (), frozenset(["full b"]))
+    assert record(1, [report]) is stored
+    assert robot.told == [(["full b"], [])]
+
+
+def test_the_person_at_the_terminal_is_asked_until_there_is_an_answer(tmp_path: Path) -> None:
+    store = tmp_path / "store.sqlite"
+    questions = Questions(store)
+    questions.ask("other/1:0#1", "Not for us?", ["yes"])
+    questions.ask("m/1:0#1", "Ripe?", ["ripe", "unripe"])
+    said: list[str] = []
+    with asking_here(store, "m", io.StringIO("perhaps\nripe\n"), said.append):
+        until = time.monotonic() + 10
+        while len(questions.open()) == 2 and time.monotonic() < until:
+            time.sleep(0.02)
+    assert [each.call for each in questions.open()] == ["other/1:0#1"]
+    assert said[0] == "Ripe? [ripe / unripe]"
+    assert "one of: ripe, unripe, cannot" in said[1]
