@@ -63,15 +63,19 @@ class VineyardRobot:
                 return self._told(id, task)
             if task.get("task") not in TASKS:
                 return 422, {"reason": f"no task {task.get('task')!r}: {', '.join(TASKS)}"}
-            action, fields = TASKS[task["task"]]
-            missing = [field for field in fields if field not in task]
+            missing = [field for field in TASKS[task["task"]][1] if field not in task]
             if missing:
                 return 422, {"reason": f"the task lacks {', '.join(missing)}"}
             self._tasks[id], self._before[id] = task, self.simulator.state()
             self.begun.append(id)
             self._clock = time.monotonic()
-            self.simulator.send(id, " ".join([action, *(str(task[each]) for each in fields)]))
+            self.simulator.send(id, self.action(id))
             return 202, {"state": "going"}
+
+    def action(self, id: str) -> str:
+        """The action of the domain that a goal is."""
+        name, fields = TASKS[self._tasks[id]["task"]]
+        return " ".join([name, *(str(self._tasks[id][field]) for field in fields)])
 
     def _told(self, id: str, task: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Take in what a person says of a grape."""

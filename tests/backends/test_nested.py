@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from tests.backends.activities.errands import (
     ARRIVED,
     DOMAIN_TEXT,
@@ -18,7 +19,8 @@ from tests.backends.activities.errands import (
 from tests.backends.activities.scripted import SCRIPTS, named
 from tests.mission.conformance import ended
 
-from plainspoken.errors import InputFileError
+from plainspoken.cli import plainspoken
+from plainspoken.errors import InputFileError, PlainspokenError
 from plainspoken.knowledge.log import SqliteLog
 from plainspoken.mission.mission import mission_from
 from plainspoken.mission.robot import Failed, GoalStatus, Succeeded, UnderWay
@@ -124,6 +126,18 @@ def test_a_program_that_takes_over_goes_on_with_it(folder: Path) -> None:
     with robot_of(OUTER_FILE, folder) as again:
         assert ended(again, "m/1") == Succeeded(ARRIVED)
     assert named() == ["legs", "legs"], "what was done before is not done again"
+
+
+def test_it_is_not_gone_on_with_apart_from_the_mission_it_is_part_of(folder: Path) -> None:
+    SCRIPTS["legs"] = [999, Done({})]
+    with robot_of(OUTER_FILE, folder) as robot:
+        robot.send("m/1", GO)
+        while not named():
+            robot.wait("m/1", 0.01)
+    store = str(folder / "store.sqlite")
+    done = CliRunner().invoke(plainspoken, ["missions", "resume", "m/1:0#1", "--store", store])
+    assert isinstance(done.exception, PlainspokenError)
+    assert done.exception.hint == "plainspoken missions resume m"
 
 
 def test_it_may_be_simulated_and_begin_where_the_action_says(folder: Path) -> None:

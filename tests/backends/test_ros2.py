@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import os
+import re
 import signal
 import subprocess
 import sys
@@ -327,6 +330,35 @@ def test_a_type_that_is_not_there_is_refused_with_its_line(
     assert caught.value.line is not None
 
 
+def test_a_robot_in_a_name_space_of_its_own_is_named_by_the_call_and_found_again(
+    bench: Ros2Bench,
+) -> None:
+    text = bench.file(ERRANDS).replace("action: drive,", 'action: "{space}/drive",')
+    text = text.replace("GO", f'{{call: drive, with: {{space: "{bench.namespace}", order: 8}}}}')
+    with robot_of(text, bench.folder) as robot:
+        robot.send("m/1", GO)
+        assert isinstance(robot.wait("m/1", 0.1), UnderWay)
+    with robot_of(text, bench.folder) as again:
+        assert ended(again, "m/1") == Succeeded(ARRIVED)
+    assert bench.begun() == 1
+
+
+def test_the_settings_on_the_page_are_read(tmp_path: Path) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "robots.md").read_text()
+    (block,) = re.findall(r"```yaml\n(ros2:.*?)```", page, re.DOTALL)
+    # What the page speaks of is in no wheel: other types stand in for it.
+    text = block.replace("nav2_msgs/action/NavigateToPose", "test_msgs/action/Fibonacci")
+    text = text.replace("sensor_msgs/msg/BatteryState", "test_msgs/msg/BasicTypes")
+    actions = """\
+actions:
+  go: {do: {sequence: [{call: drive, with: {order: 1}}, {call: grip, with: {data: true}}]}}
+  grasp: {do: {call: grip}}
+facts: {"held {t}": {call: battery, when: {float32_value: 1.0}}}
+"""
+    with robot_of(text + actions, tmp_path):
+        pass
+
+
 def carried_out(
     bench: Ros2Bench, goal: str, *, when: dict[int, str] | None = None
 ) -> tuple[Mission, list[Event]]:
@@ -400,3 +432,23 @@ def test_a_mission_whose_robot_refuses_stops_with_its_reason(bench: Ros2Bench) -
     assert failed == ["rejected by drive"] * 4
     assert mission.ended is not None
     assert "failed 4 times in a row" in (mission.ended.reason or "")
+
+
+def test_the_command_line_runs_a_mission_over_ros(bench: Ros2Bench, tmp_path: Path) -> None:
+    (tmp_path / "domain.pddl").write_text(small_vineyard.DOMAIN_TEXT)
+    (tmp_path / "problem.pddl").write_text(small_vineyard.PROBLEM_TEXT)
+    robots = tmp_path / "robots.yaml"
+    robots.write_text(bench.file(VINEYARD).replace("via: ros2, ", "").replace("via: ros2\n", ""))
+    site = ["-d", tmp_path / "domain.pddl", "-p", tmp_path / "problem.pddl"]
+    options = ["--goal", CLEARED, "--robot", "ros2", "--robots", robots, "--json"]
+    done = subprocess.run(
+        [sys.executable, "-m", "plainspoken", "run", *site, *options],
+        env={**os.environ, "PLAINSPOKEN_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    events = [json.loads(line) for line in done.stdout.splitlines()]
+    assert events[-1]["satisfied"]
+    assert any("driving to l0: step" in (e.get("doing") or "") for e in events)

@@ -9,9 +9,10 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import click
@@ -138,6 +139,41 @@ def test_a_mission_that_is_killed_in_the_middle_of_an_action_finds_it_again(
     assert again.returncode == 0, again.stderr
     moves = [call for call in far.robot.begun if ":0.0#1" in call]
     assert len(far.robot.begun) == len(set(moves)) == 2, "two moves, each begun once"
+
+
+def test_a_mission_that_is_killed_again_and_again_has_its_robot_do_everything_once(
+    far: Far, tmp_path: Path
+) -> None:
+    log = tmp_path / "run.jsonl"
+    goal = "F(robot_at_rob_l2 & F(robot_at_rob_l0 & F(robot_at_rob_wh & F robot_at_rob_l2)))"
+    chance = Random(5)
+    run = started("run", "--goal", goal, "--robots", far.file, "--log", log)
+    wait_until(lambda: log.exists() and log.read_text().count("\n") > 1)
+    mission = events_in(log)[0]["mission"]
+    killed = 0
+    while run.poll() is None and killed < 6:
+        before = len(far.robot.begun)
+        wait_until(lambda b=before, r=run: len(far.robot.begun) > b or r.poll() is not None)
+        time.sleep(chance.uniform(0.0, 0.2))
+        run.kill()
+        run.wait()
+        killed += 1
+        run = started("missions", "resume", mission)
+    assert run.wait(timeout=60) in (0, 2), "2 where it was over before it was resumed"
+    done = tmp_path / "done.jsonl"
+    assert plainspoken("missions", "log", mission, "--out", done).returncode == 0
+    finished = [e["action"] for e in events_in(done) if e["kind"] == "action_finished"]
+    driven = [far.robot.action(call) for call in far.robot.begun]
+    assert driven == finished
+    assert killed > 2
+    assert events_in(done)[-1]["satisfied"]
+
+
+def wait_until(is_so: Callable[[], object]) -> None:
+    until = time.monotonic() + 30
+    while not is_so():
+        assert time.monotonic() < until
+        time.sleep(0.005)
 
 
 def test_doctor_tells_which_services_answer(far: Far) -> None:

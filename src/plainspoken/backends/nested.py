@@ -225,8 +225,9 @@ class MissionService:
         ending = find_policy(site.problem, formula)
         if not isinstance(ending, Solved):
             return NotDone(why_not(ending, site))
-        robots = {"robot": SIMULATOR if self.robots is None else str(self.robots)}
-        request = Request(call, formula, robot=robots)
+        robots = SIMULATOR if self.robots is None else str(self.robots.absolute())
+        part_of = call.partition("/")[0]
+        request = Request(call, formula, robot={"robot": robots, "part_of": part_of})
         return carry_out(site, request, ending.policy, robot, record, requests=requests)
 
     @contextmanager

@@ -72,6 +72,11 @@ def resume(id: str, store: str | None, pace: float, *, as_json: bool) -> None:
     accepted = accepted_of(entries)
     if mission_from(entries).is_over:
         raise PlainspokenError(f"the mission {id} is over", hint="`plainspoken ask` tells of it")
+    if "part_of" in accepted.robot:
+        raise PlainspokenError(
+            f"the mission {id} is an action of another one",
+            hint=f"plainspoken missions resume {accepted.robot['part_of']}",
+        )
     site = site_of(accepted)
     path, chosen = store_path(store), robot_in(accepted.robot)
     with ExitStack() as stack:

@@ -37,6 +37,20 @@ def test_a_line_that_a_crash_tore_is_left_out_and_what_follows_is_whole(tmp_path
         assert last.get("m/2", "action") == "stay"
 
 
+def test_two_programs_see_each_others_notes(tmp_path: Path) -> None:
+    path = tmp_path / "journal.jsonl"
+    with closing(Journal(path)) as one, closing(Journal(path)) as other:
+        one.note("m/1", "action", "go")
+        assert other.get("m/1", "action") == "go"
+        other.note("m/1", "heard", value=True)
+        assert one.get("m/1", "heard") is True
+        with path.open("a") as torn:
+            torn.write('{"subject": "m/1", "key": "ended", "va')
+        assert one.get("m/1", "ended") is None
+        other.note("m/1", "ended", "done")
+        assert one.get("m/1", "ended") == "done"
+
+
 def test_a_file_of_something_else_is_refused_with_its_line(tmp_path: Path) -> None:
     path = tmp_path / "journal.jsonl"
     path.write_text('{"subject": "a", "key": "b", "value": 1}\nhello\n{"key": 3}\n')

@@ -11,6 +11,7 @@ from tests.backends.activities.errands import ARRIVED, GO, PROBLEM, file_of, rob
 from tests.backends.activities.scripted import AWAY, CALLED, CANCELLED, SCRIPTS, named
 from tests.mission.conformance import ended
 
+from plainspoken.backends.activities import tree
 from plainspoken.backends.activities.robot import ActivityRobot
 from plainspoken.mission.robot import Failed, GoalStatus, Succeeded, UnderWay, Unreachable
 from plainspoken.mission.service import Done, NotDone
@@ -184,6 +185,24 @@ def test_it_tells_in_words_which_step_goes_on(tmp_path: Path) -> None:
     assert told[2] == Succeeded(ARRIVED)
 
 
+def test_what_a_service_says_is_told_now_and_then_and_the_next_step_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tree, "TOLD_EVERY", 2.0)
+    now = 0.0
+    SCRIPTS.update(look=[6, Done({})], drive=[2, Done({})])
+    with robot_of(file_of(TWO_STEPS), tmp_path) as robot:
+        robot._clock = lambda: now
+        robot.send("m/1", GO)
+        told = []
+        for _ in range(6):
+            status = robot.wait("m/1", 0.0)
+            assert isinstance(status, UnderWay)
+            told.append((status.doing or "").rpartition(": ")[2])
+            now += 1.0
+    assert told == ["look 0", "look 0", "look 3", "look 3", "look 5", "drive 0"]
+
+
 def test_cancelling_ends_what_is_under_way_and_begins_nothing_more(tmp_path: Path) -> None:
     SCRIPTS["look"] = [99, Done({})]
     with robot_of(file_of(TWO_STEPS), tmp_path) as robot:
@@ -246,6 +265,17 @@ def test_a_way_that_was_given_up_before_a_crash_is_not_gone_again(tmp_path: Path
     with robot_of(text, tmp_path) as again:
         assert ended(again, "m/1") == Succeeded(ARRIVED)
     assert (named(), CANCELLED) == (["arm", "drive"], ["arm"])
+
+
+def test_an_action_that_the_file_says_otherwise_now_is_not_gone_on_with(tmp_path: Path) -> None:
+    SCRIPTS["drive"] = [9, Done({})]
+    with robot_of(file_of("{call: drive}"), tmp_path) as robot:
+        robot.send("m/1", GO)
+    with robot_of(file_of("{call: arm}"), tmp_path) as again:
+        status = again.wait("m/1", 0.0)
+    assert isinstance(status, Failed)
+    assert "something else of go" in status.reason
+    assert named() == ["drive"]
 
 
 def test_a_service_that_forgot_what_it_had_begun_is_not_called_again(tmp_path: Path) -> None:

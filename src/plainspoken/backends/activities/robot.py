@@ -6,6 +6,7 @@ that it carried out and by what it hears of; what it can sense counts for more.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import time
 import uuid
@@ -20,7 +21,7 @@ from plainspoken.backends.activities.tree import Stage, doing, planted, progress
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.activity import Literal
 from plainspoken.mission.mission import GoalId
-from plainspoken.mission.repertoire import Repertoire, amended, arguments_of, landed
+from plainspoken.mission.repertoire import Conduct, Repertoire, amended, arguments_of, landed
 from plainspoken.mission.robot import (
     Failed,
     GoalStatus,
@@ -73,15 +74,14 @@ class ActivityRobot:
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:
         """Begin an action; what it is stands in the journal before anything is called."""
-        if self._journal.get(goal_id, "action") is None:
-            self._journal.note(goal_id, "action", action)
+        if self._journal.get(goal_id, "begun") is None:
+            self._journal.note(goal_id, "begun", [action, self._fingerprint(action)])
             self._ticked(goal_id, self._goal(goal_id, action))
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
-        action = self._journal.get(goal_id, "action")
-        if action is None:
+        goal = self._known(goal_id)
+        if goal is None:
             return Unheard()
-        goal = self._goal(goal_id, action)
         until = self._clock() + timeout
         while True:
             status = self._ticked(goal_id, goal)
@@ -91,13 +91,11 @@ class ActivityRobot:
             self._sleep(min(POLL, left))
 
     def cancel(self, goal_id: GoalId) -> None:
-        action = self._journal.get(goal_id, "action")
-        if action is not None:
-            goal = self._goal(goal_id, action)
-            if goal.ended is None and not goal.stage.stopping:
-                self._journal.note(goal_id, "cancelled", value=True)
-                goal.stage.stopping = True
-                self._ticked(goal_id, goal)
+        goal = self._known(goal_id)
+        if goal is not None and goal.ended is None and not goal.stage.stopping:
+            self._journal.note(goal_id, "cancelled", value=True)
+            goal.stage.stopping = True
+            self._ticked(goal_id, goal)
 
     def state(self) -> State:
         """What is believed, after a look at what can be sensed.
@@ -114,12 +112,38 @@ class ActivityRobot:
         """Take in what a person reports."""
         self._belief = (self._belief - frozenset(deleted)) | frozenset(added)
 
+    def _known(self, goal_id: GoalId) -> _Goal | None:
+        """A goal that this process or one before it has begun."""
+        begun = self._journal.get(goal_id, "begun")
+        if begun is None:
+            return None
+        action, fingerprint = begun
+        known = goal_id in self._goals
+        goal = self._goal(goal_id, action)
+        if not known and fingerprint != self._fingerprint(action):
+            # The calls in the journal are those of another tree: nothing can be told from them.
+            goal.ended = Failed(
+                f"the robots' file says something else of {action.split()[0]} than when it was "
+                "begun: it is not known what was done",
+                amended(self._belief, self._seen()),
+            )
+        return goal
+
+    def _fingerprint(self, action: GroundAction) -> str:
+        """What an action is on this robot, in short."""
+        activity = repr(self._conduct(action).activity)
+        return hashlib.sha256(activity.encode()).hexdigest()[:16]
+
+    def _conduct(self, action: GroundAction) -> Conduct:
+        conduct = self._repertoire.actions.get(action.split()[0])
+        if conduct is None:
+            raise PlainspokenError(f"the robots' file does not say how to {action!r}")
+        return conduct
+
     def _goal(self, goal_id: GoalId, action: GroundAction) -> _Goal:
         """A goal with its tree; that of a process before this one is grown again."""
         if goal_id not in self._goals:
-            conduct = self._repertoire.actions.get(action.split()[0])
-            if conduct is None:
-                raise PlainspokenError(f"the robots' file does not say how to {action!r}")
+            conduct = self._conduct(action)
             arguments = arguments_of(self._problem, action)
             stage = Stage(
                 goal_id,
@@ -153,7 +177,7 @@ class ActivityRobot:
             return UnderWay(progress(tree), doing(tree))
         if tree.status is Status.SUCCESS:
             result = {**stage.results, **stage.last}
-            conduct = self._repertoire.actions[goal.action.split()[0]]
+            conduct = self._conduct(goal.action)
             goal.ended = landed(
                 self._problem,
                 self._belief,

@@ -34,6 +34,8 @@ from plainspoken.mission.template import Table, UnfilledError, filled, meets
 from plainspoken.world.domain import State
 
 CANCELLED = "cancelled"
+TOLD_EVERY: Seconds = 1.0
+"""How often what a service says of itself is told anew: each time is an event in the log."""
 
 
 @dataclass
@@ -115,12 +117,15 @@ class CallNode(Behaviour):
         self._offer = stage.offers[call.service]
         self._id: CallId = ""
         self._begun = self._told_to_stop = False
+        self._told: Any = None
+        self._told_at: Seconds = 0.0
         self.feedback: Mapping[str, Any] = {}
 
     def initialise(self) -> None:
         self._id = self._stage.begun(self._node)
         self._begun = self._note("called") is not None
         self._told_to_stop = False
+        self._told = None
         self.feedback = {}
 
     def update(self) -> Status:
@@ -182,7 +187,10 @@ class CallNode(Behaviour):
             words = self._filled(self._call.words)
         except UnfilledError:
             words = None  # it speaks of a result that an earlier call did not give
-        told = self._read(self._offer.doing)
+        now = self._stage.clock()
+        if self._told is None or now - self._told_at >= TOLD_EVERY:
+            self._told, self._told_at = self._read(self._offer.doing), now
+        told = self._told
         return ": ".join(str(each) for each in (words, told) if each) or None
 
     @property
