@@ -13,13 +13,14 @@ from __future__ import annotations
 
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import rclpy
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.executors import MultiThreadedExecutor
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from std_srvs.srv import SetBool, Trigger
 from test_msgs.action import Fibonacci
 from test_msgs.msg import BasicTypes
@@ -96,7 +97,8 @@ def main() -> None:
     executor = MultiThreadedExecutor(4)
     executor.add_node(node)
     (folder / "ready").touch()
-    executor.spin()
+    with suppress(ExternalShutdownException):
+        executor.spin()
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ from plainspoken.mission.robot import (
 from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.scene import successors
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 
 
 class Bench(Protocol):

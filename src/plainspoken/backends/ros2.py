@@ -29,6 +29,8 @@ from plainspoken.mission.service import CallId, CallStatus, Done, Fields, Going,
 GET_IT = "pip install 'plainspoken[ros2]', or source a ROS 2 installation whose Python this is"
 SILENCE: Seconds = 5.0
 """After how long without a sign of life a server counts as lost, where nobody says."""
+DISCOVERY: Seconds = 3.0
+"""How long a server may take to be discovered, where nobody says."""
 TIMEOUT: Seconds = 30.0
 """How long a ROS service may take to answer, where nobody says."""
 
@@ -38,12 +40,14 @@ def open_adapter(settings: Section | None, around: Around) -> Ros2Adapter:
 
     raises ImportError: when there is no ROS 2 for this Python
     """
-    namespace, name, domain, silence = "", "plainspoken", None, SILENCE
+    namespace, name, domain = "", "plainspoken", None
+    silence, discovery = SILENCE, DISCOVERY
     if settings is not None:
-        settings.only("namespace", "node", "domain", "silence")
+        settings.only("namespace", "node", "domain", "silence", "discovery")
         namespace = settings.text("namespace") or ""
         name = settings.text("node") or name
         silence = settings.positive("silence", SILENCE)
+        discovery = settings.positive("discovery", DISCOVERY)
         given = settings.get("domain")
         domain = None if given is None else int(given.number())
     try:
@@ -58,7 +62,7 @@ def open_adapter(settings: Section | None, around: Around) -> Ros2Adapter:
     executor.add_node(node)
     spinning = threading.Thread(target=executor.spin, name="ros2 robot", daemon=True)
     spinning.start()
-    return Ros2Adapter(node, executor, context, spinning, silence, around.journal)
+    return Ros2Adapter(node, executor, context, spinning, silence, discovery, around.journal)
 
 
 @dataclass
@@ -70,6 +74,7 @@ class Ros2Adapter:
     context: Any
     spinning: threading.Thread
     silence: Seconds
+    discovery: Seconds
     journal: Journal
 
     def service(self, settings: Section) -> Service:

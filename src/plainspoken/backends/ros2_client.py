@@ -11,19 +11,19 @@ from plainspoken.mission.robot import Seconds, Unreachable
 from plainspoken.mission.service import CallId, Done, Fields, NotDone
 from plainspoken.mission.template import filled, paths_in
 
-DISCOVERY: Seconds = 3.0
-"""How long a server may take to be discovered before it counts as not there."""
 _NAME = "ros2 name"
 
 
 class Node(Protocol):
     """The node that clients belong to, and what goes with it.
 
-    silence: after how long without a sign of life a server counts as lost
+    silence:   after how long without a sign of life a server counts as lost
+    discovery: how long a server may take to be discovered before it counts as not there
     """
 
     node: Any
     silence: Seconds
+    discovery: Seconds
     journal: Journal
 
 
@@ -91,7 +91,7 @@ class NamedClients:
 
         raises Unreachable: when there is none
         """
-        until = time.monotonic() + DISCOVERY
+        until = time.monotonic() + self.adapter.discovery
         while not self.is_ready(client):
             if time.monotonic() > until:
                 raise Unreachable(f"no server for {self.name}")
