@@ -36,6 +36,7 @@ class ScriptedServer:
 
     def __init__(self) -> None:
         self.answers: list[Answer | None] = []
+        self.by_method: dict[str, list[Answer | None]] = {}
         self.asked: list[tuple[str, str, object]] = []
         self.headers: list[Message] = []
         script = self
@@ -45,7 +46,7 @@ class ScriptedServer:
                 body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
                 script.asked.append((self.command, self.path, json.loads(body or b"null")))
                 script.headers.append(self.headers)
-                answer = script.answers.pop(0)
+                answer = script.answer(self.command)
                 if answer is None:
                     self.connection.shutdown(socket.SHUT_RDWR)
                     return
@@ -63,6 +64,14 @@ class ScriptedServer:
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
         self.base = f"http://127.0.0.1:{self._server.server_port}"
         threading.Thread(target=self._server.serve_forever, args=(0.01,), daemon=True).start()
+
+    @property
+    def methods(self) -> list[str]:
+        return [method for method, _, _ in self.asked]
+
+    def answer(self, method: str) -> Answer | None:
+        """The next answer; where some are for a method, the next of those."""
+        return (self.by_method.get(method) or self.answers).pop(0)
 
     def close(self) -> None:
         self._server.shutdown()
@@ -201,6 +210,22 @@ def test_a_lost_request_that_cannot_be_asked_about_is_not_made_again(
     assert isinstance(status, Failed)
     assert "not known whether it was done" in status.reason
     assert len(server.asked) == 1
+
+
+def test_a_cancellation_that_nobody_heard_is_made_again(
+    server: ScriptedServer, tmp_path: Path
+) -> None:
+    going: Answer = (200, {"state": "going"})
+    server.by_method = {"POST": [(202, {})], "GET": [going] * 9999, "DELETE": [None, (202, {})]}
+    with robot_of(file_of(server.base, LONG, "{call: drive}"), tmp_path) as robot:
+        robot.send("m/1", GO)
+        while len(server.asked) < 2:
+            robot.wait("m/1", 0.01)
+        robot.cancel("m/1")
+        until = time.monotonic() + 30
+        while server.methods.count("DELETE") < 2 and time.monotonic() < until:
+            robot.wait("m/1", 0.01)
+    assert server.methods.count("DELETE") == 2
 
 
 def test_a_call_that_the_server_has_forgotten_is_not_made_again(

@@ -72,7 +72,7 @@ class Terminals:
 
     def run(self, line: str) -> tuple[int, str]:
         process = self.start(line)
-        told, _ = process.communicate(timeout=60)
+        told, _ = process.communicate(timeout=100)
         return process.returncode, told
 
     def close(self) -> None:
@@ -114,7 +114,7 @@ def test_the_worked_example_runs_as_it_stands(terminals: Terminals, port: int) -
 
 
 def wait_for_a_question(terminals: Terminals) -> None:
-    until = time.monotonic() + 30
+    until = time.monotonic() + 100
     while time.monotonic() < until:
         if json.loads(terminals.run("plainspoken answer --json")[1]):
             return

@@ -186,6 +186,7 @@ class HttpService:
         self._begun: dict[CallId, Future[Reply]] = {}
         self._asked: dict[CallId, Future[Reply]] = {}
         self._last: dict[CallId, Going] = {}
+        self._cancelled: dict[CallId, Future[Reply]] = {}
         self._ended: dict[CallId, Done | NotDone] = {}
 
     def objection(self, fields: Fields) -> str | None:
@@ -204,6 +205,9 @@ class HttpService:
     def status(self, call: CallId) -> CallStatus:
         if call in self._ended:
             return self._ended[call]
+        cancelled = self._cancelled.get(call)
+        if cancelled is not None and cancelled.done() and cancelled.exception() is not None:
+            self.cancel(call)  # nobody answered: what is not heard is not given up
         begun = self._begun.get(call)
         if begun is not None and not begun.done():
             return Going({}, heard=False)
@@ -219,7 +223,7 @@ class HttpService:
     def cancel(self, call: CallId) -> None:
         values = self._values(call)
         if self._cancelling is not None and call not in self._ended and values is not None:
-            self._submitted(self._cancelling, values, {}, call)
+            self._cancelled[call] = self._submitted(self._cancelling, values, {}, call)
 
     def reach(self) -> None:
         """Any answer will do, a refusal too."""
