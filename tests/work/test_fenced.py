@@ -6,7 +6,7 @@ from tests.work.workshop import queue_up
 
 from plainspoken.knowledge.queue import LEASE
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.robot import Unheard
+from plainspoken.mission.robot import Succeeded, UnderWay, Unheard
 from plainspoken.mission.simulator import Simulator
 from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import Held, LetGo, Shift, utc_now
@@ -34,6 +34,15 @@ def test_a_process_that_slept_longer_than_its_lease_commands_nothing(store: Stor
     with pytest.raises(LetGo):
         fenced.cancel("m/1")
     assert fenced.state() == robot.state()
+
+
+def test_a_process_that_slept_longer_than_its_lease_does_not_wait_on_its_robot_either(
+    store: Store,
+) -> None:
+    robot = Simulator(PROBLEM)
+    robot.send("m/1", GO)
+    assert FencedRobot(robot, held(store, LEASE)).wait("m/1", 0.01) == UnderWay()
+    assert isinstance(FencedRobot(robot, held(store, 0.0)).wait("m/1", 0.01), Succeeded)
 
 
 def test_what_was_let_go_of_is_not_commanded_any_more(store: Store, tmp_path: Path) -> None:

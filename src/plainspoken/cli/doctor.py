@@ -6,19 +6,26 @@ import json
 import os
 import platform
 import shutil
+import sys
 from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from plainspoken.cli.site import chosen_site, site_options
+from plainspoken.cli.exit import NO
+from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import STORE_VARIABLE
 from plainspoken.knowledge.database import without_password
 from plainspoken.knowledge.log import store_path
+
+if TYPE_CHECKING:
+    from plainspoken.pipeline import Site
 
 PACKAGES = {
     "plainspoken": "all of it",
@@ -31,14 +38,24 @@ PROGRAMS = {"dot": ("Graphviz, to draw `export dot`", "install the package graph
 
 @click.command()
 @site_options
+@click.option("--robots", type=FILE, metavar="FILE", help="Check a robots' file, and its services.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def doctor(
-    domain: Path | None, problem: Path | None, landmarks: Path | None, *, as_json: bool
+    domain: Path | None,
+    problem: Path | None,
+    landmarks: Path | None,
+    robots: Path | None,
+    *,
+    as_json: bool,
 ) -> None:
     """See what is installed, what is missing and how to get it.
 
-    With --domain and --problem: the symbols that a sentence or a formula may use there.
+    With --domain and --problem: the symbols that a sentence or a formula may use there. With
+    --robots: whether the file fits the domain, and which of its services answer.
     """
+    if robots is not None:
+        _show_services(robots, chosen_site(domain, problem, landmarks), as_json=as_json)
+        return
     if domain is not None or problem is not None or landmarks is not None:
         _show_symbols(chosen_site(domain, problem, landmarks), as_json=as_json)
         return
@@ -50,6 +67,7 @@ def doctor(
         findings.append((name, shutil.which(name) or "", use, remedy))
     remedy = "pip install 'plainspoken[postgres]'"
     findings.append(("psycopg", _version("psycopg"), "--store postgresql://...", remedy))
+    findings += robot_findings()
     findings += model_findings(os.environ)
     store = os.environ.get(STORE_VARIABLE) or str(store_path(None))
     findings.append(("store", without_password(store), "missions", ""))
@@ -61,6 +79,19 @@ def doctor(
     for name, found, use, remedy in findings:
         table.add_row(name, found or "[yellow]missing[/]", use, "" if found else escape(remedy))
     Console().print(table)
+
+
+def robot_findings() -> list[tuple[str, str, str, str]]:
+    """Which robots can be reached from here, and what is missing for the others."""
+    from plainspoken.cli.robots import GET_IT
+
+    ros = _version("ros-rclpy") or ("a ROS installation's" if find_spec("rclpy") else "")
+    ros_remedy = "pip install 'plainspoken[ros2]', or source a ROS 2 installation"
+    return [
+        ("py-trees", _version("py-trees"), "run --robots FILE: activities", GET_IT),
+        ("pyyaml", _version("pyyaml"), "run --robots FILE: the file", GET_IT),
+        ("rclpy", ros, "run --robots FILE: robots over ROS 2", ros_remedy),
+    ]
 
 
 def model_findings(environment: Mapping[str, str]) -> list[tuple[str, str, str, str]]:
@@ -103,10 +134,23 @@ def _version(package: str) -> str:
         return ""
 
 
-def _show_symbols(site: object, *, as_json: bool) -> None:
-    from plainspoken.pipeline import Site
+def _show_services(file: Path, site: Site, *, as_json: bool) -> None:
+    """Whether each service of a robots' file can be reached; exit status 3 where one cannot."""
+    from plainspoken.cli.robots import reach
 
-    assert isinstance(site, Site)  # noqa: S101 - chosen_site gives nothing else
+    found = reach(file, site)
+    if as_json:
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+    else:
+        table = Table("service", "answers", title=f"{file}: fits {site.problem.domain.name}")
+        for name, trouble in found.items():
+            table.add_row(name, f"[yellow]{escape(trouble)}[/]" if trouble else "yes")
+        Console().print(table)
+    if any(found.values()):
+        sys.exit(NO)
+
+
+def _show_symbols(site: Site, *, as_json: bool) -> None:
     if as_json:
         from plainspoken.world.landmark import landmarks_to_json
 

@@ -6,18 +6,21 @@ import json
 import sys
 import time
 from collections.abc import Generator, Sequence
+from contextlib import ExitStack
 
 import click
 from rich.console import Console
 
 from plainspoken.cli.exit import NO
 from plainspoken.cli.record import written_too
-from plainspoken.cli.simulated import robot_for
+from plainspoken.cli.robots import asking_here, robot_for
+from plainspoken.cli.store import store_file
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import Mission, Status, mission_from
 from plainspoken.mission.observation import CancelAsked
+from plainspoken.mission.run import heeding
 from plainspoken.pipeline import Site, accepted_of, take_up
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.work.fenced import FencedRobot
@@ -47,13 +50,17 @@ def going_on(
         shift.store.post(held.mission, to_message(CancelAsked("keyboard")))
     shift.tick()
     entries = held.entries()
-    with robot_for(site, accepted_of(entries).robot, entries, pace=pace) as (robot, patience):
+    set_up, store = accepted_of(entries).robot, shift.store.database.place
+    with ExitStack() as stack:
+        robot, patience = stack.enter_context(robot_for(store, site, set_up, entries, pace=pace))
+        if "robots" in set_up:
+            stack.enter_context(asking_here(store_file(store), held.mission))
         return (
             yield from take_up(
                 site,
                 entries,
                 FencedRobot(robot, held),
-                written_too(held.record, file),
+                written_too(heeding(robot, held.record), file),
                 by=held.worker,
                 requests=held.requests,
                 patience=patience,

@@ -23,12 +23,12 @@ from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.mailbox import Asked, to_message
-from plainspoken.mission.mission import Mission, mission_from
+from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
 from plainspoken.work.asking import Reply, ask_of
 from plainspoken.work.shift import Shift, robots_of
-from plainspoken.world.event import Entry
+from plainspoken.world.event import Entry, MissionAccepted
 
 BY = "command line"
 
@@ -58,6 +58,8 @@ def missions(context: click.Context, store: str | None, *, as_json: bool) -> Non
         table = Table("mission", "status", "instants", "carried out by", "asked for", title=title)
         for one in found:
             by = one["worker"] or ("" if one["over"] else one["trouble"] or "nobody")
+            if one["part_of"]:
+                by = f"an action of {one['part_of']}"
             table.add_row(one["mission"], one["status"], str(one["instant"]), by, one["request"])
         Console().print(table)
 
@@ -72,6 +74,7 @@ def _summary(entries: Sequence[Entry], place: Place | None) -> dict[str, Any]:
         "satisfied": mission.satisfied,
         "request": accepted.sentence or accepted.goal,
         "robots": list(robots_of(accepted)),
+        "part_of": accepted.robot.get("part_of"),
         "worker": place.worker if place else None,
         "trouble": place.trouble if place else None,
     }
@@ -91,10 +94,10 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
     with ExitStack() as stack:
         kept = stack.enter_context(open_store(store))
         entries = entries_in(kept, id)
-        _not_over(mission_from(entries))
+        accepted = _askable(entries)
         asked = ResumeAsked(BY)
         if kept.place(id) is None:
-            kept.enlist(id, robots_of(accepted_of(entries)))
+            kept.enlist(id, robots_of(accepted))
         if detach:
             _tell(_ask(kept, id, asked), "resumed")
             return
@@ -104,7 +107,7 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
             _tell(_ask(kept, id, asked), "resumed")
             return
         kept.post(id, to_message(asked))
-        site = site_of(accepted_of(entries))
+        site = site_of(accepted)
         events = going_on(shift, held, site, pace=pace)
         mission = watched(shift, held, events, site, as_json=as_json)
     ended(mission)
@@ -130,8 +133,7 @@ def cancel(id: str, store: str | None) -> None:
 
 def _ask(kept: Store, id: str, asked: Asked) -> Reply:
     entries = entries_in(kept, id)
-    _not_over(mission_from(entries))
-    return ask_of(kept, id, asked, robots_of(accepted_of(entries)))
+    return ask_of(kept, id, asked, robots_of(_askable(entries)))
 
 
 def _tell(reply: Reply, done: str) -> None:
@@ -146,11 +148,23 @@ def _tell(reply: Reply, done: str) -> None:
     click.echo(text)
 
 
-def _not_over(mission: Mission) -> None:
-    if mission.is_over:
+def _askable(entries: Sequence[Entry]) -> MissionAccepted:
+    """How a mission began of which something can be asked.
+
+    raises PlainspokenError: when it is over, or an action of another one
+    """
+    accepted = accepted_of(entries)
+    if mission_from(entries).is_over:
         raise PlainspokenError(
-            f"the mission {mission.id} is over", hint="`plainspoken ask` tells of it"
+            f"the mission {accepted.mission} is over", hint="`plainspoken ask` tells of it"
         )
+    whole = accepted.robot.get("part_of")
+    if whole is not None:
+        raise PlainspokenError(
+            f"the mission {accepted.mission} is an action of another one",
+            hint=f"plainspoken missions {click.get_current_context().info_name} {whole}",
+        )
+    return accepted
 
 
 @missions.command()

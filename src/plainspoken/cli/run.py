@@ -13,15 +13,14 @@ from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
-from plainspoken.cli.simulated import Settings, simulated
+from plainspoken.cli.robots import KINDS, chosen_robot, opened, robot_in
+from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission
-from plainspoken.mission.robot import Robot
-from plainspoken.mission.run import Patience
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
@@ -34,10 +33,15 @@ from plainspoken.work.shift import Shift, robots_of
 @goal_options
 @click.option(
     "--robot",
-    type=click.Choice(["simulator"]),
-    default="simulator",
-    help="Who carries it out.",
-    show_default=True,
+    type=click.Choice(KINDS),
+    help="Who carries it out: the simulator, or how the services of --robots are reached where "
+    "the file does not say.",
+)
+@click.option(
+    "--robots",
+    type=FILE,
+    metavar="FILE",
+    help="Robots that a YAML file describes: services, and each action as an activity of them.",
 )
 @click.option("--seed", default=0, help="What chance draws in the simulator.", show_default=True)
 @click.option(
@@ -74,7 +78,8 @@ from plainspoken.work.shift import Shift, robots_of
     "names",
     multiple=True,
     metavar="NAME",
-    help="Missions of one robot wait for each other. May be repeated, for a mission of several.",
+    help="Missions of one robot wait for each other. May be repeated, for a mission of several. "
+    "Robots of a file have its name where they have no other.",
 )
 @click.option(
     "--world",
@@ -99,7 +104,8 @@ def run(
     landmarks: Path | None,
     goal: str | None,
     say: str | None,
-    robot: str,
+    robot: str | None,
+    robots: Path | None,
     seed: int,
     steer: tuple[str, ...],
     faults: tuple[str, ...],
@@ -124,32 +130,32 @@ def run(
     plainspoken run --say "Clear line 2" --steer "unripe g2" --log run.jsonl
     plainspoken run --say "Clear line 2" --fault hanging:0.2 --fault person:0.1
     plainspoken run --say "Clear line 2" --robot-name rob --detach && plainspoken work
+    plainspoken run --say "Clear line 2" --robots examples/robots/http.yaml
     plainspoken ask "What did you do so far?" --log run.jsonl
     """
-    del robot  # the simulator is the only one there is
     site: Site = chosen_site(domain, problem, landmarks)
     formula, _ = chosen_goal(goal, say, site)
     kept_in = None if world is None else str(world.resolve())
     settings = Settings(seed, steer, faults, action_timeout, pace, names, kept_in)
+    chosen = chosen_robot(robot, robots, settings)
     id = new_mission_id(utc_now)
-    simulator, patience = simulated(site, settings, mission=id)
     if detach and (log is not None or as_json):
         raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
+    with opened(site, chosen, mission=id, store=store):
+        pass  # before it is planned: what is wrong with a robots' file is known at once
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    request = Request(id, formula, say, settings.to_json())
+    request = Request(id, formula, say, chosen.to_json())
     with open_store(store) as kept:
         if detach:
             _left_to_workers(kept, site, request, ending.policy)
             return
-        mission = _carried_out(
-            kept, site, request, ending.policy, (simulator, patience), log=log, as_json=as_json
-        )
+        mission = _carried_out(kept, site, request, ending.policy, log=log, as_json=as_json)
     ended(mission)
 
 
@@ -167,7 +173,6 @@ def _carried_out(
     site: Site,
     request: Request,
     policy: Policy,
-    robot: tuple[Robot, Patience],
     *,
     log: Path | None,
     as_json: bool,
@@ -183,12 +188,15 @@ def _carried_out(
             begun = record(0, queued(accepted, policy))
             events = going_on(shift, held, site, first=begun, file=file)
         else:
-            simulator, patience = robot
+            # Only a simulated robot has no name, and its mission waits for nobody.
+            robot, patience = stack.enter_context(
+                opened(site, robot_in(request.robot), mission=held.mission, store=None)
+            )
             events = carry_out(
                 site,
                 request,
                 policy,
-                FencedRobot(simulator, held),
+                FencedRobot(robot, held),
                 record,
                 requests=held.requests,
                 patience=patience,

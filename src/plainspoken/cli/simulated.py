@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +13,7 @@ from plainspoken.mission.mission import MissionId, mission_from
 from plainspoken.mission.robot import Robot, Seconds
 from plainspoken.mission.run import Patience
 from plainspoken.mission.simulator import Simulator, steering_from
-from plainspoken.pipeline import Site, accepted_of
+from plainspoken.pipeline import Site
 from plainspoken.world.domain import GroundAction, State
 from plainspoken.world.event import ActionFinished, Entry
 
@@ -116,19 +115,6 @@ def simulated(
     robot = FaultyRobot(site.problem, simulator, faults, seed=settings.seed)
     limit = settings.limit or PATIENT_SECONDS
     return robot, Patience(action=lambda _: limit, clock=lambda: robot.elapsed, sleep=robot.sleep)
-
-
-@contextmanager
-def robot_for(
-    site: Site,
-    set_up: Mapping[str, Any],
-    entries: Sequence[Entry],
-    *,
-    pace: float | None = None,
-) -> Iterator[tuple[Robot, Patience]]:
-    """Reach the robot that the log of a mission names."""
-    mission = accepted_of(entries).mission
-    yield simulated(site, Settings.of(set_up), mission=mission, pace=pace, entries=entries)
 
 
 def _history(entries: Sequence[Entry]) -> Iterable[tuple[State, GroundAction]]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import logging
 import signal
+from functools import partial
 
 import click
 
-from plainspoken.cli.simulated import robot_for
+from plainspoken.cli.robots import robot_for
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.work.worker import Worker
 from plainspoken.world.event import ActionStarted, Entry, MissionEnded, TakenUp
@@ -44,7 +45,8 @@ def work(store: str | None, most: int, *, until_done: bool, as_json: bool) -> No
     """
     logging.basicConfig(format="plainspoken: %(message)s", level=logging.WARNING)
     with open_store(store) as kept:
-        worker = Worker(kept, robot_for, most=most, heard=_as_json if as_json else _in_short)
+        heard = _as_json if as_json else _in_short
+        worker = Worker(kept, partial(robot_for, kept.database.place), most=most, heard=heard)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda *_: worker.stop())
         click.echo(f"worker {worker.shift.worker} at {kept.database.place}", err=True)

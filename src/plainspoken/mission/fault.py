@@ -102,6 +102,10 @@ class FaultyRobot:
         """Let simulated time pass."""
         self._idle += max(seconds, MOMENT)
 
+    def lose(self, seconds: Seconds) -> None:
+        """Have the connection break for so long."""
+        self._back_at = self.elapsed + seconds
+
     def state(self) -> State:
         self._reach()
         return self._simulator.state()
@@ -120,7 +124,7 @@ class FaultyRobot:
         elif kind is FaultKind.HANGING and self._chance.random() < STEADFAST:
             self._steadfast.add(goal_id)
         elif kind is FaultKind.LOST:
-            self._back_at = self.elapsed + self._chance.uniform(*AWAY)
+            self.lose(self._chance.uniform(*AWAY))
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
         self._reach()

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import assert_never
+from typing import Protocol, assert_never, runtime_checkable
 
 from plainspoken.logic.formula import Formula
 from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Reconnect, Send
@@ -37,8 +37,8 @@ from plainspoken.mission.robot import (
     Unreachable,
 )
 from plainspoken.planning.policy import Policy
-from plainspoken.world.domain import GroundAction, State
-from plainspoken.world.event import Entry, Event, Instant
+from plainspoken.world.domain import GroundAction, GroundAtom, State
+from plainspoken.world.event import Entry, Event, Instant, ReportReceived
 
 Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
 """Stores events, all or none, before it returns."""
@@ -98,6 +98,26 @@ def run_mission(
         if now.mission.is_at_rest:
             return now.mission
         now = advance(now.mission, edge.observed(now))
+
+
+@runtime_checkable
+class _Believer(Protocol):
+    """A robot that cannot see all that is so, and can be told."""
+
+    def believe(self, added: Iterable[GroundAtom], deleted: Iterable[GroundAtom]) -> None: ...
+
+
+def heeding(robot: Robot, record: Record) -> Record:
+    """Have a robot that only believes what the world is like believe what people report, too."""
+
+    def heeded(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
+        entries = record(instant, events)
+        for event in events:
+            if isinstance(event, ReportReceived) and isinstance(robot, _Believer):
+                robot.believe(event.added, event.deleted)
+        return entries
+
+    return heeded
 
 
 class _Edge:

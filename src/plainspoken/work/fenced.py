@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import time
+
 from plainspoken.mission.mission import GoalId
-from plainspoken.mission.robot import GoalStatus, Robot, Seconds
-from plainspoken.work.shift import Held
+from plainspoken.mission.robot import GoalStatus, Robot, Seconds, UnderWay
+from plainspoken.work.shift import TICK, Held
 from plainspoken.world.domain import GroundAction, State
 
 
@@ -18,6 +20,7 @@ class FencedRobot:
     def __init__(self, robot: Robot, held: Held) -> None:
         self._robot = robot
         self._held = held
+        self._last = UnderWay()
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:
         """Begin an action.
@@ -25,10 +28,21 @@ class FencedRobot:
         raises LetGo: when this process was not heard of for as long as a lease lasts
         """
         self._held.check()
+        self._last = UnderWay()
         self._robot.send(goal_id, action)
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
-        return self._robot.wait(goal_id, timeout)
+        """What became of a command; nothing new while it is in doubt whose the mission is.
+
+        An activity of several calls begins the next one while it is waited for.
+        """
+        if self._held.is_in_doubt:
+            time.sleep(min(timeout, TICK))
+            return self._last
+        status = self._robot.wait(goal_id, timeout)
+        if isinstance(status, UnderWay):
+            self._last = status
+        return status
 
     def cancel(self, goal_id: GoalId) -> None:
         self._held.check()

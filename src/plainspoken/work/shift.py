@@ -119,8 +119,13 @@ class Held:
 
         raises LetGo: when it is not to go on, or was not heard of for as long as a lease lasts
         """
-        if self._let_go.is_set() or self._silence() >= LEASE:
+        if self.is_in_doubt:
             raise LetGo(self.mission)
+
+    @property
+    def is_in_doubt(self) -> bool:
+        """Whether somebody else may have the mission by now."""
+        return self._let_go.is_set() or self._silence() >= LEASE
 
     def requests(self) -> Asked | None:
         """What was asked, one at a time.

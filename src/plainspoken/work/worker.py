@@ -15,7 +15,7 @@ from plainspoken.knowledge.log import OvertakenError
 from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.robot import Robot
-from plainspoken.mission.run import Patience
+from plainspoken.mission.run import Patience, heeding
 from plainspoken.pipeline import Site, accepted_of, site_of, take_up
 from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import TICK, Held, LetGo, Shift, standing_of, utc_now
@@ -132,7 +132,7 @@ class Worker:
                 site,
                 entries,
                 FencedRobot(robot, held),
-                held.record,
+                heeding(robot, held.record),
                 by=held.worker,
                 requests=held.requests,
                 patience=patience,

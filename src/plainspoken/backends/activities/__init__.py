@@ -1,0 +1,1 @@
+"""Robots that a file describes: their services, and what an action of the domain is on them."""

@@ -1,0 +1,270 @@
+"""A robots' file: which services there are, and what each action of a domain is on them.
+
+    services:                   # what can be called; `via` names the adapter
+      drive: {via: http, begin: POST /drive, poll: GET /goals/{call}}
+    actions:                    # every action that a mission may need
+      move:
+        do: {call: drive, with: {to: "{to}"}, as: "driving to {to}"}
+    facts:                      # what can be sensed; all else is believed from the domain
+      "robot-at {h} {l}": {call: where, with: {robot: "{h}"}, when: {place: "{l}"}}
+
+All of it is checked against the domain and the services before anything moves. `docs/robots.md`
+has every key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, closing, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from plainspoken.backends.activities.adapter import BUNDLED, Adapter, Around, opened
+from plainspoken.backends.activities.document import Section, Value, did_you_mean, read_yaml
+from plainspoken.backends.activities.journal import Journal
+from plainspoken.backends.activities.reading import (
+    OF_EVERY_ACTION,
+    ActivityReader,
+    Scope,
+    asked,
+    expected,
+    fact_of,
+)
+from plainspoken.backends.activities.robot import ActivityRobot
+from plainspoken.knowledge.log import SqliteLog
+from plainspoken.mission.repertoire import Conduct, Offer, Outcome, Repertoire, Sensor
+from plainspoken.mission.robot import Unreachable
+from plainspoken.mission.service import Service
+from plainspoken.mission.template import Table
+from plainspoken.world.domain import (
+    Action,
+    Effect,
+    ForEach,
+    OneOf,
+    Parameter,
+    Problem,
+    State,
+    Together,
+    When,
+)
+
+JOURNAL = ".robots.jsonl"
+"""Where the journal of robots lies: beside the store, under its name."""
+
+
+@contextmanager
+def robot_from(
+    path: Path,
+    problem: Problem,
+    store: Path,
+    *,
+    via: str | None = None,
+    state: State | None = None,
+) -> Iterator[ActivityRobot]:
+    """The robot that a file describes; its connections end with the context.
+
+    via:   the adapter of services that do not name one
+    state: what is believed at first, None for the problem's s0
+    raises InputFileError: with file, line and what was expected
+    """
+    with ExitStack() as stack:
+        journal = stack.enter_context(closing(Journal(store.with_name(store.name + JOURNAL))))
+
+        around = Around(journal, lambda: SqliteLog(store), store, via)
+        repertoire, services = read_robots(path, problem, around, stack)
+        yield ActivityRobot(problem, repertoire, services, journal, state=state)
+
+
+def reached(path: Path, problem: Problem, store: Path, via: str | None) -> dict[str, str]:
+    """Try every service of a robots' file; what is wrong with each, empty where nothing is.
+
+    raises InputFileError: when the file is wrong
+    """
+    found = {}
+    with ExitStack() as stack:
+        journal = stack.enter_context(closing(Journal()))
+        around = Around(journal, lambda: SqliteLog(store), store, via)
+        for name, service in read_robots(path, problem, around, stack)[1].items():
+            try:
+                service.reach()
+                found[name] = ""
+            except Unreachable as error:
+                found[name] = error.what
+    return found
+
+
+def read_robots(
+    path: Path, problem: Problem, around: Around, stack: ExitStack
+) -> tuple[Repertoire, Mapping[str, Service]]:
+    """Read and check a robots' file, and open the adapters that it names.
+
+    stack: closes them
+    raises InputFileError: with file, line and what was expected
+    """
+    file = read_yaml(path)
+    file.only("services", "actions", "facts", "state", "objects", *BUNDLED)
+    services, offers = _services(file, around, stack)
+    reader = _Reader(file, problem, services, offers)
+    return reader.repertoire(), services
+
+
+def _services(
+    file: Section, around: Around, stack: ExitStack
+) -> tuple[dict[str, Service], dict[str, Offer]]:
+    services: dict[str, Service] = {}
+    offers: dict[str, Offer] = {}
+    adapters: dict[str, Adapter] = {}
+    for name, value in file.need("services", "what can be called").section():
+        section = value.section()
+        via = section.get("via")
+        if via is None and around.via is None:
+            section.need("via", f"how the service is reached: {', '.join(BUNDLED)}")
+        kind = str(around.via) if via is None else via.text()
+        if kind not in adapters:
+            own = file.get(kind)
+            settings = None if own is None else own.section()
+            adapters[kind] = opened(kind, via or value, settings, around)
+            stack.callback(adapters[kind].close)
+        services[name] = adapters[kind].service(section)
+        offers[name] = _offer(section)
+    return services, offers
+
+
+def _offer(section: Section) -> Offer:
+    return Offer(
+        succeeds=section.mapping("succeeds"),
+        reason=section.text("reason"),
+        progress=section.text("progress") or "{progress}",
+        doing=section.text("doing") or "{doing}",
+        limit=section.positive("limit", Offer().limit),
+    )
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads what a domain's actions and facts are on these services."""
+
+    file: Section
+    problem: Problem
+    services: Mapping[str, Service]
+    offers: Mapping[str, Offer]
+
+    def repertoire(self) -> Repertoire:
+        objects = self._objects()
+        sensors = tuple(self._sensors(objects))
+        scene = self._scene()
+        section = self.file.need("actions", "how each action of the domain is done").section()
+        actions = {
+            name: self._conduct(
+                self._schema(name, section),
+                value.section(),
+                objects,
+                seen=scene is not None or bool(sensors),
+            )
+            for name, value in section
+        }
+        missing = [a.name for a in self.problem.domain.actions if a.name not in actions]
+        if missing:
+            raise section.at.error(
+                f"the domain has actions that are not here: {', '.join(missing)}",
+                "a policy may need any of them; say how each is done",
+            )
+        return Repertoire(actions, self.offers, sensors, scene, objects)
+
+    def _objects(self) -> dict[str, dict[str, object]]:
+        """What is known of objects beside their names."""
+        found = {}
+        given = self.file.get("objects")
+        for name, value in () if given is None else given.section():
+            if name not in self.problem.objects:
+                raise value.error(
+                    f"the problem has no object {name!r}", did_you_mean(name, self.problem.objects)
+                )
+            value.section()
+            found[name] = value.plain()
+        return found
+
+    def _schema(self, name: str, section: Section) -> Action:
+        schemas = self.problem.action(name)
+        if not schemas:
+            known = [action.name for action in self.problem.domain.actions]
+            raise section.keys[name].error(
+                f"the domain has no action {name!r}", did_you_mean(name, known)
+            )
+        return schemas[0]
+
+    def _conduct(self, schema: Action, section: Section, objects: Table, *, seen: bool) -> Conduct:
+        """How an action is done; seen: whether something is sensed of what comes of it."""
+        section.only("do", "outcomes")
+        scope = Scope(
+            self.problem, schema.parameters, objects, OF_EVERY_ACTION, tuple(self.services)
+        )
+        do = section.need("do", "the activity that the action is")
+        activity = ActivityReader(scope, self.services).read(do)
+        given = section.get("outcomes")
+        if given is not None:
+            return Conduct(activity, tuple(_outcome(item, scope) for item in given.items()))
+        if not seen and _is_open(schema.effect):
+            raise section.at.error(
+                f"the action {schema.name!r} may turn out in several ways",
+                "say under `outcomes` which result is which, or under `facts` how it is seen",
+            )
+        return Conduct(activity)
+
+    def _sensors(self, objects: Table) -> Iterator[Sensor]:
+        """How facts are sensed: the key is an atom with a placeholder for each argument."""
+        given = self.file.get("facts")
+        for atom, value in () if given is None else given.section():
+            section = value.section()
+            section.only("call", "with", "when")
+            key = given.section().keys[atom] if given is not None else value
+            parameters = self._sensed(key)
+            scope = Scope(self.problem, parameters, objects)
+            fact_of(key, scope)
+            service, fields = asked(section, self.services, scope)
+            when = section.need("when", "what the result is where the fact holds: {field: value}")
+            scope.check(when)
+            yield Sensor(atom.lower(), parameters, service, fields, expected(when))
+
+    def _sensed(self, atom: Value) -> tuple[Parameter, ...]:
+        """The placeholders of an atom, each with the types that the predicate asks for."""
+        predicate, *terms = atom.text().lower().split() or [""]
+        typed = self.problem.domain.predicates.get(predicate, ())
+        return tuple(
+            Parameter(term.strip("{}"), parameter.types)
+            for term, parameter in zip(terms, typed, strict=False)
+            if term.startswith("{")
+        )
+
+    def _scene(self) -> tuple[str, str] | None:
+        """The service that tells all atoms that are true."""
+        given = self.file.get("state")
+        if given is None:
+            return None
+        section = given.section()
+        section.only("call", "atoms")
+        service, _ = asked(section, self.services, Scope(self.problem, (), {}))
+        return service, section.need("atoms", "the field of the result that lists them").text()
+
+
+def _outcome(item: Value, scope: Scope) -> Outcome:
+    section = item.section()
+    section.only("when", "facts")
+    when = section.need("when", "what the result is then: {field: value}")
+    facts = section.get("facts")
+    read = () if facts is None else tuple(fact_of(fact, scope) for fact in facts.items())
+    scope.check(when)
+    return Outcome(expected(when), read)
+
+
+def _is_open(effect: Effect) -> bool:
+    """Whether an effect leaves it to chance how it turns out."""
+    match effect:
+        case OneOf(parts):
+            return len(parts) > 1
+        case Together(parts):
+            return any(map(_is_open, parts))
+        case When(_, part) | ForEach(_, part):
+            return _is_open(part)
+        case _:
+            return False
