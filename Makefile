@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test llm ros2 check format lock clean
+.PHONY: help demo test llm ros2 train check format lock clean
 
 OLD_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
 
@@ -33,6 +33,9 @@ llm: .venv/llm.stamp ## add language models and a small local one, so that `test
 ros2: .venv-ros2/ros2.stamp ## the tests that speak to real ROS 2 servers, in an environment of their own
 	@ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST ROS_DOMAIN_ID=77 .venv-ros2/bin/pytest tests/backends/test_ros2.py
 
+train: .venv-train/train.stamp ## train the reader of training/corpus anew: half an hour on two cores
+	@.venv-train/bin/python -m training.train
+
 check: .venv/dev.stamp ## lint, format, types, and which room may import which
 	@failed=; for tool in 'ruff check' 'ruff format --check' 'mypy' 'lint-imports --no-logo'; do \
 		echo "== $$tool"; $(BIN)/$$tool || failed="$$failed\n  $$tool"; \
@@ -59,7 +62,7 @@ lock: ## resolve the newest allowed versions into the lock files, with hashes
 	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm, -ros2 and -weights'
 
 clean: ## remove .venv and every cache
-	rm -rf .venv .venv-ros2 .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
+	rm -rf .venv .venv-ros2 .venv-train .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
 	find src tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .venv/run.stamp: requirements.lock pyproject.toml
@@ -77,3 +80,7 @@ clean: ## remove .venv and every cache
 .venv-ros2/ros2.stamp: requirements-ros2.lock requirements-dev.lock pyproject.toml
 	@$(need-python)
 	@$(PYTHON) tools/environment.py ros2
+
+.venv-train/train.stamp: requirements-train.txt requirements.lock pyproject.toml
+	@$(need-python)
+	@$(PYTHON) tools/environment.py train

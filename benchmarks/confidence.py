@@ -47,7 +47,7 @@ def rows_of(folder: Path) -> Iterator[tuple[dict[str, float], str, bool]]:
     from plainspoken.language.contradiction import contradiction
     from plainspoken.language.extracted import literal_of
     from plainspoken.language.grounding import Vocabulary
-    from plainspoken.language.refusal import idle, not_understood, unfinished
+    from plainspoken.language.refusal import aimless, idle, not_understood, unfinished
     from plainspoken.language.sentence import Sentence
     from plainspoken.world.landmark import read_landmarks
 
@@ -63,7 +63,7 @@ def rows_of(folder: Path) -> Iterator[tuple[dict[str, float], str, bool]]:
             continue
         sentence = sentence.parsed()
         meaning = sentence.meaning()
-        refused = idle(meaning, row.utterance) or unfinished(sentence.clauses)
+        refused = idle(meaning, row.utterance) or aimless(meaning) or unfinished(sentence.clauses)
         if refused or contradiction(sentence, meaning):
             continue
         right = equivalent(literal_of(meaning.patterns), row.literal)

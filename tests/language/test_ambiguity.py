@@ -60,7 +60,7 @@ HOSPITAL = DOMAINS["hospital"]
 def test_a_doubtful_structure_is_asked_about(
     sentence: str, question: str, answers: dict[str, str] | None
 ) -> None:
-    extraction = extract(sentence, HOSPITAL)
+    extraction = extract(sentence, HOSPITAL, None)
     assert extraction.status is Status.CLARIFY
     assert extraction.formula is None
     assert extraction.question == question
@@ -91,13 +91,13 @@ def test_a_doubtful_structure_is_asked_about(
     ],
 )
 def test_what_english_settles_is_not_asked(sentence: str) -> None:
-    extraction = extract(sentence, HOSPITAL)
+    extraction = extract(sentence, HOSPITAL, None)
     assert extraction.status is Status.OK, extraction.question or extraction.reason
 
 
 def test_the_answers_to_a_question_can_all_be_met_and_differ() -> None:
     for sentence in ("Do not visit all wards.", "Visit ward 1 or ward 2 and ward 3."):
-        one, other = extract(sentence, HOSPITAL).alternatives
+        one, other = extract(sentence, HOSPITAL, None).alternatives
         assert satisfiable(one.formula)
         assert satisfiable(other.formula)
         assert not equivalent(one.formula, other.formula)

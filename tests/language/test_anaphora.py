@@ -117,7 +117,7 @@ def _cases(text: str) -> list[tuple[str, str]]:
     ("sentence", "meant"), _cases(QUANTIFIED) + _cases(CONDITIONS) + _cases(POINTING)
 )
 def test_what_is_pointed_at_is_said_in_full(sentence: str, meant: str) -> None:
-    extraction = extract(sentence, LAUNDRY)
+    extraction = extract(sentence, LAUNDRY, None)
     assert extraction.status is Status.OK, extraction.reason or extraction.question
     assert extraction.reading is not None
     assert equivalent(extraction.reading.literal, parse(meant)), unparse(extraction.reading.literal)

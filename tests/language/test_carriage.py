@@ -53,7 +53,7 @@ CARRIED = "F(quay & F(crate7 & F(depot & down)))"
 
 
 def literal(utterance: str, domain: Vocabulary) -> str:
-    found = extract(utterance, domain)
+    found = extract(utterance, domain, None)
     assert found.reading is not None, (utterance, found.reason or found.question)
     assert found.status is Status.OK, (utterance, found.question)
     return unparse(found.reading.literal)
@@ -194,7 +194,7 @@ def test_where_a_condition_says_that_it_is_there_that_is_asked_for(
     ],
 )
 def test_what_a_domain_cannot_say_is_refused(utterance: str) -> None:
-    assert extract(utterance, STORED).status is Status.REJECT
+    assert extract(utterance, STORED, None).status is Status.REJECT
 
 
 @pytest.mark.parametrize("domain", [ACTS, STATES, BARE], ids=["acts", "states", "bare"])
@@ -208,15 +208,15 @@ def test_what_a_domain_cannot_say_is_refused(utterance: str) -> None:
     ],
 )
 def test_an_errand_said_back_is_read_as_itself(utterance: str, domain: Vocabulary) -> None:
-    once = extract(utterance, domain)
+    once = extract(utterance, domain, None)
     assert once.reading is not None
-    again = extract(once.reading.english, domain)
+    again = extract(once.reading.english, domain, None)
     assert again.reading is not None, once.reading.english
     assert equivalent(again.reading.formula, once.reading.formula), once.reading.english
 
 
 def test_each_symbol_of_an_errand_has_its_own_words() -> None:
-    found = extract("Haul crate 7 from the quay to the depot.", ACTS)
+    found = extract("Haul crate 7 from the quay to the depot.", ACTS, None)
     texts = {each.symbol: each.text for each in found.referring_expressions}
     assert texts == {"crate7": "crate 7", "quay": "quay", "depot": "depot"}
 

@@ -153,7 +153,7 @@ CASES = [
 
 @pytest.mark.parametrize(("domain", "sentence", "meant"), CASES)
 def test_a_clause_means_its_formula(domain: str, sentence: str, meant: str) -> None:
-    extraction = extract(sentence, DOMAINS[domain])
+    extraction = extract(sentence, DOMAINS[domain], None)
     assert extraction.status is Status.OK, extraction.reason or extraction.question
     assert extraction.reading is not None
     literal = extraction.reading.literal
@@ -162,4 +162,4 @@ def test_a_clause_means_its_formula(domain: str, sentence: str, meant: str) -> N
 
 @pytest.mark.parametrize(("domain", "sentence"), NOT_UNDERSTOOD)
 def test_what_may_be_an_argument_or_a_condition_is_not_dropped(domain: str, sentence: str) -> None:
-    assert extract(sentence, DOMAINS[domain]).status is Status.REJECT
+    assert extract(sentence, DOMAINS[domain], None).status is Status.REJECT

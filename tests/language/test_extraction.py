@@ -286,7 +286,7 @@ CASES = [
 
 @pytest.mark.parametrize(("domain", "sentence", "meant"), CASES)
 def test_a_sentence_means_its_formula(domain: str, sentence: str, meant: str) -> None:
-    extraction = extract(sentence, DOMAINS[domain])
+    extraction = extract(sentence, DOMAINS[domain], None)
     if meant == "reject":
         assert extraction.status is Status.REJECT
         return

@@ -293,4 +293,4 @@ REFUSED = {
     [(name, line.strip()) for name, text in REFUSED.items() for line in text.strip().splitlines()],
 )
 def test_what_the_domain_does_not_hold_is_no_symbol(domain: str, sentence: str) -> None:
-    assert extract(sentence, DOMAINS[domain][0]).status is not Status.OK
+    assert extract(sentence, DOMAINS[domain][0], None).status is not Status.OK

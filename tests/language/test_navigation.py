@@ -40,7 +40,7 @@ BOW, STERN, GALLEY, BRIDGE = (Atom(name) for name in ("bow", "stern", "galley", 
 
 
 def _is_read_as(sentence: str, pattern: Pattern) -> None:
-    got = extract(sentence, FERRY)
+    got = extract(sentence, FERRY, None)
     assert got.status is Status.OK, (got.reason, got.question)
     assert got.reading is not None
     assert equivalent(got.reading.literal, pattern.literal), unparse(got.reading.literal)
@@ -145,7 +145,7 @@ def test_a_reason_is_no_demand(sentence: str, pattern: Pattern) -> None:
     ],
 )
 def test_an_unknown_word_in_a_demand_or_a_condition_is_not_passed_over(sentence: str) -> None:
-    assert extract(sentence, FERRY).status is not Status.OK
+    assert extract(sentence, FERRY, None).status is not Status.OK
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ def test_a_name_is_what_the_ids_of_all_places_have_before_the_place(
     ],
 )
 def test_a_robot_is_spoken_to_and_of_by_its_name(sentence: str, formula: str) -> None:
-    extraction = extract(sentence, Vocabulary.of(STUDIO))
+    extraction = extract(sentence, Vocabulary.of(STUDIO), None)
     assert extraction.status is Status.OK
     assert extraction.formula is not None
     assert unparse(extraction.formula) == formula
@@ -52,6 +52,6 @@ def test_a_robot_is_spoken_to_and_of_by_its_name(sentence: str, formula: str) ->
 
 @pytest.mark.parametrize("sentence", ["Visit the foyer and", "Go to the attic and then"])
 def test_a_sentence_that_is_broken_off_is_refused(sentence: str) -> None:
-    extraction = extract(sentence, Vocabulary.of(STUDIO))
+    extraction = extract(sentence, Vocabulary.of(STUDIO), None)
     assert extraction.status is Status.REJECT
     assert "what comes after" in (extraction.reason or "")

@@ -40,7 +40,7 @@ HOUSE = vocabulary(
 def test_a_word_for_what_is_called_otherwise_is_asked_about(
     sentence: str, question: str, meant: str
 ) -> None:
-    asked = extract(sentence, HOUSE)
+    asked = extract(sentence, HOUSE, None)
     assert asked.status is Status.CLARIFY
     assert asked.formula is None
     assert asked.question == question
@@ -60,7 +60,7 @@ def test_a_word_for_what_is_called_otherwise_is_asked_about(
     ],
 )
 def test_a_word_for_something_else_is_refused(sentence: str) -> None:
-    assert extract(sentence, HOUSE).status is Status.REJECT
+    assert extract(sentence, HOUSE, None).status is Status.REJECT
 
 
 def test_an_opposite_is_never_near() -> None:

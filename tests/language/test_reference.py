@@ -28,7 +28,7 @@ BOTH_WAYS = (
     ],
 )  # fmt: skip
 def test_expressions_carry_their_place(sentence: str, expected: list[tuple[str, str]]) -> None:
-    found = extract(sentence, DOMAINS["vineyard"]).referring_expressions
+    found = extract(sentence, DOMAINS["vineyard"], None).referring_expressions
     assert [(each.text, each.symbol) for each in found] == expected
     for each in found:
         assert sentence[each.start : each.end] == each.text
@@ -47,4 +47,4 @@ def test_expressions_carry_their_place(sentence: str, expected: list[tuple[str, 
     ],
 )  # fmt: skip
 def test_the_executable_reading_follows_what_persists(sentence: str, formula: str) -> None:
-    assert extract(sentence, DOMAINS["vineyard"]).to_json()["formula"] == formula
+    assert extract(sentence, DOMAINS["vineyard"], None).to_json()["formula"] == formula

@@ -19,7 +19,7 @@ from plainspoken.language.item import Item
 from plainspoken.language.lexicon import Kind
 from plainspoken.language.reading import clauses
 from plainspoken.language.reference import Form
-from plainspoken.language.refusal import idle, unfinished
+from plainspoken.language.refusal import aimless, idle, unfinished
 from plainspoken.language.sentence import Meaning, Sentence
 from plainspoken.logic.english import say
 from plainspoken.logic.formula import Formula, Next, atoms, conjunction
@@ -335,7 +335,7 @@ def _reread(sentence: Sentence, found: tuple[Item, ...]) -> tuple[Pattern, ...] 
     """What the sentence would ask for with other items; None where it would make no sense."""
     instead = replace(sentence, items=found, clauses=clauses(found))
     meaning = instead.meaning()
-    if idle(meaning, sentence.utterance) or unfinished(instead.clauses):
+    if idle(meaning, sentence.utterance) or aimless(meaning) or unfinished(instead.clauses):
         return None
     return meaning.patterns
 

@@ -69,7 +69,9 @@ class Extraction:
     pattern:    the names of the mission patterns, joined by " & "
     lifted:     the literal formula over placeholders a, b, c, ...
     note:       what the person should know of an accepted formula
-    confidence: how likely the reading is the one that is meant, as `confidence.py` measures it
+    confidence: how likely the reading is the one that is meant
+    final:      whether a refusal stands whatever else may be read into the utterance
+    clashing:   whether it is refused because its parts cannot be together
     """
 
     utterance: str
@@ -83,6 +85,8 @@ class Extraction:
     reason: str | None = None
     note: str | None = None
     confidence: float | None = None
+    final: bool = False
+    clashing: bool = False
     seconds: float = field(default=0.0, compare=False)
 
     @property

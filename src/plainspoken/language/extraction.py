@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from plainspoken.errors import FormulaTooLargeError
+from plainspoken.language.agreement import settled
 from plainspoken.language.ambiguity import Ambiguity, ambiguity
 from plainspoken.language.confidence import LEAST_CONFIDENT, confidence, features, is_senseless
 from plainspoken.language.contradiction import contradiction, in_two_places
@@ -21,10 +22,12 @@ from plainspoken.language.extracted import (
     names_of,
 )
 from plainspoken.language.grounding import Vocabulary
+from plainspoken.language.learned import Reader, learned
 from plainspoken.language.paraphrase import asked_whether, paraphrases
 from plainspoken.language.reference import Reference
 from plainspoken.language.refusal import (
     LONGEST,
+    aimless,
     broken_off,
     idle,
     not_understood,
@@ -45,21 +48,22 @@ LEAST_SURE = 0.6
 MOST_ALTERNATIVES = 4
 
 
-def extract(utterance: str, vocabulary: Vocabulary) -> Extraction:
-    """Translate an utterance. Never raises for what a person may say."""
+def extract(utterance: str, vocabulary: Vocabulary, reader: Reader | None = learned) -> Extraction:
+    """Translate an utterance. Never raises for what a person may say.
+
+    reader: what reads it beside the rules; None for the rules alone
+    """
     started = time.perf_counter()
     reason = unspeakable(utterance)
     if reason is not None:
         found = Extraction(utterance, Status.REJECT, reason=reason)
     else:
-        sentence = Sentence.of(utterance, vocabulary)
-        found = _extraction(sentence)
-        if found.status is not Status.OK:
-            found = _otherwise_said(sentence, found) or found
+        found = _understanding(Sentence.of(utterance, vocabulary), reader)
     return replace(found, seconds=round(time.perf_counter() - started, 6))
 
 
-def _extraction(sentence: Sentence) -> Extraction:
+def by_rules(sentence: Sentence) -> Extraction:
+    """What the rules alone make of a sentence."""
     reason = not_understood(sentence)
     if reason is not None:
         return _rejected(sentence, reason)
@@ -67,7 +71,10 @@ def _extraction(sentence: Sentence) -> Extraction:
     meaning = sentence.meaning()
     # A remark is no mission even where the rest is one: it may have been meant as a condition.
     utterance = sentence.utterance
-    reason = idle(meaning, utterance) or unfinished(sentence.clauses) or broken_off(utterance)
+    reason = idle(meaning, utterance) or broken_off(utterance)
+    if reason is not None:
+        return replace(_rejected(sentence, reason), final=True)
+    reason = aimless(meaning) or unfinished(sentence.clauses)
     if reason is not None:
         return _rejected(sentence, reason)
     try:
@@ -94,7 +101,7 @@ def _translated(sentence: Sentence, meaning: Meaning) -> Extraction:
     reading = reading_of(meaning.patterns, sentence.vocabulary, meaning.score)
     reason = contradiction(sentence, meaning)
     if reason is not None:
-        return _rejected(sentence, reason)
+        return replace(_rejected(sentence, reason), clashing=True)
     doubt = ambiguity(sentence, meaning)
     if doubt is not None:
         return _which_structure(sentence, meaning, doubt)
@@ -129,14 +136,28 @@ def _understood(
     )
 
 
-def _otherwise_said(sentence: Sentence, found: Extraction) -> Extraction | None:
-    """A question whether something was heard wrong, or is called otherwise in the domain."""
+def _understanding(sentence: Sentence, reader: Reader | None) -> Extraction:
+    """What the readers say; before that, what was heard wrong; behind it, what it may be called."""
+    found = by_rules(sentence)
+    unknown: Sequence[tuple[int, int]] = ()
+    if found.status is not Status.OK:
+        unknown = unknown_spans(sentence)
+        heard = slips(sentence.words, unknown, sentence.vocabulary)
+        asked = _asked_whether(found, heard, sentence.vocabulary) if heard else None
+        if asked is not None:
+            return asked
+    if reader is not None:
+        found = settled(sentence, found, reader(sentence))
+    if found.status is not Status.REJECT or not unknown:
+        return found
+    return _otherwise_called(sentence, found, unknown) or found
+
+
+def _otherwise_called(
+    sentence: Sentence, found: Extraction, unknown: Sequence[tuple[int, int]]
+) -> Extraction | None:
+    """A question whether something is called otherwise in the domain."""
     vocabulary = sentence.vocabulary
-    unknown = unknown_spans(sentence)
-    heard = slips(sentence.words, unknown, vocabulary)
-    asked = _asked_whether(found, heard, vocabulary) if heard else None
-    if asked is not None or not unknown:
-        return asked
     for meant in paraphrases(sentence.words, unknown, vocabulary, thesaurus()):
         asked = _asked_whether(found, meant, vocabulary)
         if asked is not None:
@@ -149,7 +170,7 @@ def _asked_whether(
 ) -> Extraction | None:
     """The question whether other words were meant, where those make sense."""
     utterance = found.utterance
-    instead = _extraction(Sentence.of(mended(utterance, likely), vocabulary))
+    instead = by_rules(Sentence.of(mended(utterance, likely), vocabulary))
     if instead.status is not Status.OK or instead.reading is None:
         return None
     readings = (replace(instead.reading, answer="yes"),)

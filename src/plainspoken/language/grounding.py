@@ -6,6 +6,8 @@ act ("use" + "a tool"). Beside each state stands its antonym, which says that it
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
@@ -24,6 +26,7 @@ from plainspoken.language.expression import (
 )
 from plainspoken.language.frame import ARTICLES, Frames, Thing, aliased
 from plainspoken.language.handling import Handling
+from plainspoken.language.lexicon import is_general
 from plainspoken.language.own_name import own_name
 from plainspoken.language.word import Word, stems, words
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType
@@ -175,6 +178,37 @@ class Vocabulary:
                         for stem in word.stems if not word.number.isdigit() else ():
                             found.setdefault(stem, set()).add(tuple(each.text for each in said))
         return {stem: frozenset(members) for stem, members in found.items()}
+
+    @cached_property
+    def stems_of_symbols(self) -> Mapping[SymbolId, frozenset[str]]:
+        """The stems of all words of each symbol's phrases."""
+        return {
+            symbol: frozenset(
+                stem for phrase in landmark.phrases for word in words(phrase) for stem in word.stems
+            )
+            for symbol, landmark in self.landmarks.items()
+        }
+
+    @cached_property
+    def telling_stems(self) -> Mapping[SymbolId, frozenset[str]]:
+        """The stems of each symbol's phrases, without the general words of English."""
+        return {
+            symbol: frozenset(
+                stem
+                for phrase in landmark.phrases
+                for word in words(phrase)
+                if word.text.isdigit() or not (word.is_mark or is_general(word))
+                for stem in word.stems
+            )
+            for symbol, landmark in self.landmarks.items()
+        }
+
+    @cached_property
+    def weight_of_stem(self) -> Mapping[str, float]:
+        """How much a stem tells: the more, the fewer symbols have it."""
+        known = self.telling_stems
+        counts = Counter(stem for own in known.values() for stem in own)
+        return {stem: math.log(1 + len(known) / count) for stem, count in counts.items()}
 
     def persists(self, symbol: SymbolId) -> bool:
         """Whether a symbol stays true until something changes it."""

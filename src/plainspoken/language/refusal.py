@@ -105,6 +105,13 @@ def idle(meaning: Meaning, utterance: str) -> str | None:
         return None
     if meaning.permissions:
         return "That allows something, but asks for nothing."
+    return None
+
+
+def aimless(meaning: Meaning) -> str | None:
+    """Why a sentence that names things is no mission: nobody can tell what to do about them."""
+    if meaning.patterns:
+        return None
     return (
         "I found what you speak of, but not what to do about it. "
         "Say for example to visit, avoid, or wait."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 
 from plainspoken.automata.construction import Automaton
@@ -18,16 +19,23 @@ def places_of_robots(landmarks: Landmarks, among: Iterable[SymbolId]) -> Apart:
     """The places of each robot, of some symbols; no robot is at two of its places at once.
 
     Whose place an id tells of is the word behind the one that says so: "ada" behind "robot_at" in
-    `robot_at_ada_archive`.
+    `robot_at_ada_archive`. Where not each of them has two places, no id says whose: `car_at_depot`.
     """
     shared = beginning(landmarks)
     where = next((shared[:n] for n in range(len(shared), 0, -1) if shared[n - 1] in SAYS_WHERE), ())
+    named = Counter(
+        symbol.split("_")[len(where)]
+        for symbol, landmark in landmarks.items()
+        if where and landmark.type is LandmarkType.LOCATION
+    )
+    tells = min(named.values(), default=0) > 1
     found: dict[str, set[SymbolId]] = {}
     for symbol in among if where else ():
         *begins, whose = [*symbol.split("_")[: len(where) + 1], ""][: len(where) + 1]
         known = symbol in landmarks and landmarks[symbol].type is not LandmarkType.ACTION
-        if tuple(begins) == where and known and symbol != "_".join((*where, whose)):
-            found.setdefault(whose, set()).add(symbol)
+        own = tells and symbol == "_".join((*where, whose))
+        if tuple(begins) == where and known and not own:
+            found.setdefault(whose if tells else "", set()).add(symbol)
     return tuple(frozenset(each) for each in found.values() if len(each) > 1)
 
 
