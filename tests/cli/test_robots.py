@@ -245,7 +245,7 @@ def test_a_question_is_withdrawn_with_the_mission_that_asked_it(far: Far) -> Non
 
 
 def test_missions_of_one_file_wait_for_each_other_unless_they_have_other_names(far: Far) -> None:
-    goal = ("--goal", "F robot_at_rob_l0", "--robots", far.file)
+    goal = ("--goal", "F robot_at_rob_l2", "--robots", far.file)
     first = plainspoken("run", *goal, "--detach").stdout.strip()
     other = plainspoken("run", "--goal", "true", "--robots", far.file, "--robot-name", "another")
     assert other.returncode == 0, other.stderr

@@ -68,10 +68,11 @@ class Questions:
         raises PlainspokenError: when there is none, or it has other answers
         """
         question = next((each for each in self.open() if each.call == call), None)
+        none = PlainspokenError(
+            f"no open question {call!r}", hint="`plainspoken answer` lists those there are"
+        )
         if question is None:
-            raise PlainspokenError(
-                f"no open question {call!r}", hint="`plainspoken answer` lists those there are"
-            )
+            raise none
         said = answer.strip()
         known = {each.lower(): each for each in (*question.answers, CANNOT)}
         if question.answers and said.lower() not in known:
@@ -80,7 +81,7 @@ class Questions:
                 hint=f"one of: {', '.join(known.values())}",
             )
         with self._connection() as connection:
-            connection.execute(
+            changed = connection.execute(
                 "update question set answer = ?, reporter = ?, answered = ?"
                 " where call = ? and answer is null and not withdrawn",
                 (
@@ -90,6 +91,8 @@ class Questions:
                     call,
                 ),
             )
+        if not changed.rowcount:  # somebody else was faster
+            raise none
 
     def withdraw(self, call: CallId) -> None:
         """Nobody needs to answer any more."""
