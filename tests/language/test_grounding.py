@@ -294,3 +294,30 @@ REFUSED = {
 )
 def test_what_the_domain_does_not_hold_is_no_symbol(domain: str, sentence: str) -> None:
     assert extract(sentence, DOMAINS[domain][0], None).status is not Status.OK
+
+
+PARTICLES_AND_LETTERS = vocabulary(
+    """
+    lamp_on, c, the lamp is turned on
+    lamp_off, c, the lamp is turned off
+    pull_a_executed, a, to pull rope a
+    pull_b_executed, a, to pull rope b
+    pull_executed, a, to pull a rope
+    has_key, c, rob has the key, the robot has the key
+    """
+)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "symbol"),
+    [
+        ("Make sure that the lamp is turned on.", "lamp_on"),
+        ("Make sure that the lamp is turned off.", "lamp_off"),
+        ("Pull a rope.", "pull_executed"),
+        ("Pull rope a.", "pull_a_executed"),
+        ("Make sure that you have the key.", "has_key"),
+    ],
+)
+def test_particles_letters_and_having_tell_symbols_apart(sentence: str, symbol: str) -> None:
+    extraction = extract(sentence, PARTICLES_AND_LETTERS, None)
+    assert {each.symbol for each in extraction.referring_expressions} == {symbol}

@@ -105,18 +105,18 @@ def test_every_derived_landmark_names_something_of_the_problem(vineyard: Problem
     ],
 )  # fmt: skip
 def test_derived_words_are_understood(vineyard: Problem, sentence: str, literal: str) -> None:
-    extraction = extract(sentence, Vocabulary.of(derived_landmarks(vineyard)))
+    extraction = extract(sentence, Vocabulary.of(derived_landmarks(vineyard)), None)
     assert extraction.reading is not None, extraction.reason
     assert unparse(extraction.reading.literal) == literal
 
 
 def test_the_place_of_one_of_two_robots_is_asked_for(tmp_path: Path) -> None:
     vocabulary = Vocabulary.of(derived_landmarks(problem_of(tmp_path, PORTERS, TWO_PORTERS)))
-    asked = extract("Go to ward 1.", vocabulary)
+    asked = extract("Go to ward 1.", vocabulary, None)
     assert asked.status == "clarify"
     assert asked.question is not None
-    assert "ann at ward 1 or bob at ward 1" in asked.question
-    told = extract("Bob goes to ward 1.", vocabulary)
+    assert "Ann at ward 1 or Bob at ward 1" in asked.question
+    told = extract("Bob goes to ward 1.", vocabulary, None)
     assert told.reading is not None, told.reason
     assert unparse(told.reading.literal) == "F in_bob_ward1"
 
@@ -124,15 +124,16 @@ def test_the_place_of_one_of_two_robots_is_asked_for(tmp_path: Path) -> None:
 def test_two_robots_and_their_acts_are_told_apart(tmp_path: Path) -> None:
     landmarks = derived_landmarks(problem_of(tmp_path, PORTERS, TWO_PORTERS))
     assert landmarks["ann_executes_unlock"].phrases == (
-        "to unlock with ann", "ann unlocks", "robot ann unlocks", "to unlock ann"
+        "to unlock a room with Ann", "Ann unlocks a room", "robot Ann unlocks a room",
+        "Ann unlocks", "robot Ann unlocks", "to unlock Ann",
     )  # fmt: skip
-    assert landmarks["carrying_ann_tray1"].description == "ann is carrying tray 1"
+    assert landmarks["carrying_ann_tray1"].description == "Ann is carrying tray 1"
     assert landmarks["is_locked_ward1"].description == "ward 1 is locked"
 
 
 def test_static_predicates_stand_for_types_where_there_are_none(tmp_path: Path) -> None:
     landmarks = derived_landmarks(problem_of(tmp_path, UNTYPED, TWO_ROOMS))
-    assert landmarks["at_robot_rooma"].description == "room a"
-    assert landmarks["at_ball1_rooma"].description == "ball 1 is at room a"
+    assert landmarks["at_robot_rooma"].description == "room A"
+    assert landmarks["at_ball1_rooma"].description == "ball 1 is in room A"
     assert "at_rooma_ball1" not in landmarks
     assert landmarks["pick_ball2_executed"].description == "to pick ball 2"

@@ -433,3 +433,15 @@ def test_deep_conditions_are_read_or_refused_and_never_crash(domain_of: ReadDoma
     with pytest.raises(InputFileError, match="nested deeper") as caught:
         read(250)
     assert caught.value.line == 11
+
+
+def test_capitals_inside_names_are_remembered_where_words_end() -> None:
+    domain = parse_domain(
+        """(define (domain wards) ; aComment tells nothing
+          (:predicates (doorOpen ?d) (hasAGVKey) (LOADED) (is-clean ?w))
+          (:action openDoor :parameters (?d) :precondition () :effect (doorOpen ?d)))""",
+        "text",
+    )
+    assert domain.humps == {
+        "dooropen": "door-open", "hasagvkey": "has-agv-key", "opendoor": "open-door"
+    }  # fmt: skip

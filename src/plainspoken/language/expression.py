@@ -52,7 +52,8 @@ class Part:
 
     @property
     def is_number(self) -> bool:
-        return any(stem.isdigit() for stem in self.stems)
+        """Whether it is what sets one of a kind apart, a number or a letter: "site 2", "site b"."""
+        return any(stem.isdigit() or len(stem) == 1 for stem in self.stems)
 
     @property
     def words(self) -> frozenset[str]:
@@ -256,6 +257,8 @@ def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
         return
     subject = tuple(map(_part, content(said[:cut], ARTICLES | {"of"})))
     predicate = content(said[cut + 1 :] or said[cut:], dropped)
+    if len(said) > cut + 2 and said[-1].text in PARTICLES:
+        predicate = (*predicate, said[-1])  # "turned on" is not "turned off"
     parts = tuple(map(_part, predicate))
     yield Expression(symbol, Shape.STATE, (*subject, *parts), len(subject), negated=negated)
     if len(predicate) == 1 and predicate[0].stems & _SOUNDING:
@@ -266,6 +269,10 @@ def _state(symbol: SymbolId, said: tuple[Word, ...]) -> Iterator[Expression]:
     if (held or said[:cut][-1].text == "robot") and len(subject) == 1 and len(parts) > 1:
         # The robot that is spoken to needs no name: "hold the jar".
         yield Expression(symbol, Shape.STATE, parts, 0, 0.95, negated=negated)
+    if said[cut].text == "has" and said[:cut][-1].text == "robot" and not held:
+        # "(you) have the jar": what is had says too little without the verb.
+        having = Part(frozenset(("have",)))
+        yield Expression(symbol, Shape.STATE, (having, *parts), 0, 0.95, negated=negated)
     if len(predicate) == 1:
         for opposite in sorted(opposites(predicate[0].stems)):
             other = Part(stems(opposite))

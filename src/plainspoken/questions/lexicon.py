@@ -19,6 +19,7 @@ from plainspoken.questions.template import Template, template_of
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem
 from plainspoken.world.landmark import Landmark, Landmarks, LandmarkType, landmarks_from_json
 from plainspoken.world.symbol import ActionSymbol, AtomSymbol, flat, resolve
+from plainspoken.world.wording import spelled_out
 
 PREPOSITIONS = frozenset(
     {"aboard", "above", "across", "at", "behind", "below", "beneath"}
@@ -129,9 +130,8 @@ class Lexicon:
                 continue
             _, *arguments = symbol.atom.split()
             if one.type is LandmarkType.LOCATION and arguments:
-                if self.me is None:
-                    continue  # Words for where one of several robots is are no name of a place.
-                places.setdefault(arguments[-1], []).extend(one.phrases)
+                own = one.phrases if self.me is not None else self._shared_words(one, arguments)
+                places.setdefault(arguments[-1], []).extend(own)
             elif (
                 arguments[:1] != [self.me] and arguments and (found := _VERB.match(one.description))
             ):
@@ -140,7 +140,19 @@ class Lexicon:
             name: (min(counted, key=lambda words: (-counted[words], len(words), words)),)
             for name, counted in votes.items()
         }
-        return {**names, **{name: tuple(dict.fromkeys(words)) for name, words in places.items()}}
+        named = {name: tuple(dict.fromkeys(words)) for name, words in places.items() if words}
+        return {**names, **named}
+
+    def _shared_words(self, one: Landmark, arguments: list[str]) -> list[str]:
+        """The words for a place that do not tell which of several robots is there."""
+        others = {
+            phrase
+            for other, symbol in self.resolved
+            if isinstance(symbol, AtomSymbol) and other.type is LandmarkType.LOCATION
+            and symbol.atom.split()[-1] == arguments[-1] and symbol.atom.split()[1:] != arguments
+            for phrase in other.phrases
+        }  # fmt: skip
+        return [phrase for phrase in one.phrases if phrase in others]
 
     @cached_property
     def _further(self) -> dict[str, frozenset[str]]:
@@ -160,20 +172,21 @@ class Lexicon:
     def object_words(self, name: str) -> str:
         """`mug 1`, `the support robot`, `the kitchen`, `Ann`."""
         given = self._names.get(name, ("",))[0]
-        if given and given.lower().replace(" ", "") != "".join(split_name(name)):
+        same = given.lower().replace(" ", "") == "".join(split_name(name))
+        if given and (not same or given != given.lower()):
             return _with_article(given)
         types = self.types_of(name)
-        own = " ".join(split_name(types[0])) if types[0] != "object" else ""
-        same = [o for o, each in self.problem.objects.items() if each == types[0]]
+        own = " ".join(map(spelled_out, split_name(types[0]))) if types[0] != "object" else ""
+        alike = [o for o, each in self.problem.objects.items() if each == types[0]]
         found = _CODE.match(name)
         if found:
             letters = " ".join(split_name(found["letters"]))
             short = own.replace(" ", "").startswith(letters) or len(letters) < 3
             if own and short:
-                return f"{own} {found['number']}" if len(same) > 1 else f"the {own}"
+                return f"{own} {found['number']}" if len(alike) > 1 else f"the {own}"
             return f"{letters} {found['number']}"
         words = split_name(name)
-        if own and len(same) == 1 and (len(name) <= 2 or own.startswith(name)):
+        if own and len(alike) == 1 and (len(name) <= 2 or own.startswith(name)):
             return f"the {own}"
         if _PERSONS & set(types) and len(words) == 1 and name not in _PERSONS:
             return name.capitalize()
@@ -181,12 +194,8 @@ class Lexicon:
 
     def synonyms(self, name: str) -> frozenset[str]:
         """Every way to name an object that is understood, without its article."""
-        words = {
-            self.object_words(name),
-            *self._names.get(name, ()),
-            name,
-            " ".join(split_name(name)),
-        }
+        words = {self.object_words(name), *self._names.get(name, ()), name}
+        words |= {" ".join(split_name(name))}
         words |= self._further.get(name, frozenset())
         found = _CODE.match(name)
         if found:
@@ -224,6 +233,8 @@ class Lexicon:
                 subject = self._spoken_subject(found["subject"], arguments)
                 return Clause(subject, verb, found["rest"], found["verb"] == "are")
         words = split_name(predicate)
+        if one is not None and (told := self._told(one, predicate, arguments)):
+            return told
         if len(words) > 1 and words[0] in ("is", "are"):
             words = words[1:]
         subjects = [self._subject(name) for name in arguments]
@@ -236,6 +247,21 @@ class Lexicon:
         tail = ", ".join(self.object_words(name) for name in arguments[1:])
         return Clause(subjects[0], "be", f"{' '.join(words)} {tail}")
 
+    def _told(self, one: Landmark, predicate: str, arguments: list[str]) -> Clause | None:
+        """What a landmark says with the predicate's own verb: "room 2 needs cleaning"."""
+        verb, *more = split_name(predicate)
+        if one.type is LandmarkType.LOCATION:
+            if len(arguments) != 2 or {verb, *more} & PREPOSITIONS:
+                return None
+            return Clause(
+                self._subject(arguments[0]), "be", f"at {self.object_words(arguments[1])}"
+            )
+        found = re.match(rf"(?P<subject>.+?) {re.escape(verb)}(?: (?P<rest>.+))?$", one.description)
+        if found is None or not self._is_verb(verb):
+            return None
+        subject = self._spoken_subject(found["subject"], arguments)
+        return Clause(subject, lemma(verb), found["rest"] or "")
+
     def _spoken_subject(self, subject: str, arguments: list[str]) -> str:
         """The subject of a landmark's sentence as the robot says it."""
         if bare(subject) == "robot" or (
@@ -244,7 +270,7 @@ class Lexicon:
             return "I"
         if arguments and subject.lower().replace(" ", "") == "".join(split_name(arguments[0])):
             return self._subject(arguments[0])  # Only the name: there are better words for it.
-        return _with_article(subject)
+        return subject if subject in ("it", "there") else _with_article(subject)
 
     def _subject(self, name: str) -> str:
         return "I" if name == self.me else self.object_words(name)
@@ -352,7 +378,7 @@ def bare(words: str) -> str:
 
 def _with_article(words: str) -> str:
     """A name as it stands in a sentence: `box` gets an article, `line 1` needs none."""
-    if words.startswith(_DETERMINERS) or words[-1].isdigit() or words[0].isupper():
+    if words.startswith(_DETERMINERS) or words[-1].isdigit() or any(map(str.isupper, words)):
         return words
     if re.search(r"\b(?:of|\d+)\b", words):
         return words

@@ -20,6 +20,7 @@ from plainspoken.world.domain import (
     Condition,
     changed_atoms,
 )
+from plainspoken.world.wording import spelled_out
 
 if TYPE_CHECKING:
     from plainspoken.questions.lexicon import Lexicon
@@ -113,8 +114,8 @@ class _Writer:
         self._names = [parameter.name for parameter in schema.parameters]
         self._schema = schema
         self._verb = verb
-        if rest in ("somewhere", "around", "about"):
-            rest = ""  # Where it goes is said by the arguments.
+        # Where it goes is said by the arguments.
+        rest = re.sub(r"(?:^| )(?:somewhere|around|about)$", "", rest)
         particle = not rest or rest.split(maxsplit=1)[0] in _PARTICLES
         self._rest = rest if from_landmark or particle else f"the {rest}"
         self._parts: list[str | int] = [self._rest] if rest else []
@@ -169,7 +170,7 @@ class _Writer:
         objects = self._lexicon.problem.objects_for(parameter)
         literal = sorted({self._lexicon.object_words(o) for o in objects}, key=len, reverse=True)
         kinds = [
-            " ".join(re.split(r"[-_]+", each))
+            " ".join(map(spelled_out, re.split(r"[-_]+", each)))
             for own in parameter.types
             for each in self._lexicon.type_chain(own)
         ]

@@ -134,6 +134,7 @@ class Domain:
     types:      each type and its parent; `object` is the root and has none
     constants:  objects of every problem, with their type
     predicates: each predicate and its parameters
+    humps:      names written with capitals inside, parted there: `robotat`, `robot-at`
     """
 
     name: str
@@ -141,6 +142,7 @@ class Domain:
     constants: Mapping[str, str]
     predicates: Mapping[str, tuple[Parameter, ...]]
     actions: tuple[Action, ...]
+    humps: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def ancestors(self, type: str) -> Iterator[str]:
         """The type itself, its parent and so on up to `object`."""
@@ -157,6 +159,7 @@ class Problem:
     objects: every object, constants of the domain included, and its type
     initial: the ground atoms true at s0
     goal:    the problem's own `:goal`
+    humps:   names written with capitals inside, those of the domain included
     """
 
     name: str
@@ -165,6 +168,7 @@ class Problem:
     initial: State
     goal: Condition
     source: str = field(default="", compare=False)
+    humps: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property
     def _objects_by_type(self) -> dict[str, tuple[str, ...]]:

@@ -36,6 +36,7 @@ SUPPORTED_HINT = "plainspoken plans with types, ADL conditions, conditional effe
 
 DEEPEST = 200
 """Lists nested deeper than this are refused."""
+_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 _TOKEN = re.compile(r"\n|[()]|;[^\n]*|[^\s();]+")
 
 
@@ -107,13 +108,28 @@ def _one_too_many(path: str | Path, line: int) -> InputFileError:
     )
 
 
+def humps(text: str) -> dict[str, str]:
+    """The names that a file writes with capitals inside, parted there: `robotat`, "robot-at".
+
+    PDDL does not tell case apart, but a reader of `robotAt` does.
+    """
+    found: dict[str, str] = {}
+    for name in re.findall(r"[A-Za-z][\w-]*", re.sub(r";.*", "", text)):
+        parted = _HUMP.sub("-", name).lower()
+        if parted != name.lower():
+            found.setdefault(name.lower(), parted)
+    return found
+
+
 class PddlFile:
     """One file as an expression; its methods read lists and raise errors that name the line."""
 
     def __init__(self, path: str | Path, text: str | None = None) -> None:
         """Read a file; with a text, that one, and path is for the errors only."""
         self.path = path
-        self.root = parse_expression(read_text(path) if text is None else text, path)
+        text = read_text(path) if text is None else text
+        self.root = parse_expression(text, path)
+        self.humps = humps(text)
 
     def fail(self, what: str, at: Expression, hint: str | None = None) -> NoReturn:
         raise InputFileError(what, self.path, line=at.line or None, hint=hint)

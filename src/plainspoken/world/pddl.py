@@ -80,7 +80,7 @@ def _domain(file: PddlFile) -> Domain:
     required = {word for section in sections if section[0] == ":requirements" for word in section}
     if ":non-deterministic" not in required and any(map(_has_oneof, schemas)):
         log.warning("%s: oneof without the requirement :non-deterministic", file.path)
-    return Domain(name, types, constants, predicates, actions)
+    return Domain(name, types, constants, predicates, actions, file.humps)
 
 
 def _problem(file: PddlFile, domain: Domain) -> Problem:
@@ -106,7 +106,8 @@ def _problem(file: PddlFile, domain: Domain) -> Problem:
             file.expected("one condition as the goal", by_name[":goal"][2], by_name[":goal"])
         goal = reader.condition(by_name[":goal"][1], by_name[":goal"])
     initial = _initial(file, by_name[":init"], reader)
-    return Problem(name, domain, objects, initial, goal, str(file.path))
+    humps = {**file.humps, **domain.humps}
+    return Problem(name, domain, objects, initial, goal, str(file.path), humps)
 
 
 def _initial(file: PddlFile, section: Expression, reader: SchemaReader) -> frozenset[str]:

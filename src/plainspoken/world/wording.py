@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from functools import cache
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+
+from plainspoken.world.inflection import is_word
 
 _RUN_TOGETHER = frozenset(
     ("at", "in", "on", "up", "down", "off", "out", "to", "from", "into", "onto", "inside", "under",
-     "over", "near", "with", "by", "is", "has", "have", "can", "no", "not")
+     "over", "near", "with", "by", "is", "has", "have", "can", "no", "not",
+     "of", "for")
 )  # fmt: skip
 """Short words that names carry without a mark between: `vehicleat`, `hasspare`, `pickup`."""
 _PARTICLES = ("up", "down", "off", "out")
+_SHORT_FOR = {
+    "loc": "location", "obj": "object", "pkg": "package", "pos": "position", "wp": "waypoint",
+    "temp": "temperature", "veh": "vehicle", "num": "number", "msg": "message", "img": "image",
+    "dest": "destination", "cmd": "command", "btn": "button", "pt": "point",
+}  # fmt: skip
+"""Abbreviations that programmers write and nobody says."""
+_TITLES = frozenset(("mr", "mrs", "ms", "dr", "st"))
 _SHORTEST = 3
 """Letters of a piece that is no short word; a dictionary holds too many odd ones of two."""
 
@@ -19,31 +29,54 @@ _SHORTEST = 3
 class Wording:
     """Splits names by their marks, and where words are run together by the words known.
 
-    own: words of the domain itself, which count for more than a dictionary's
+    names:  those of the domain, whose words count for more than a dictionary's
+    parted: names that were written with marks or capitals where one word ends, in lower case
     """
 
-    def __init__(self, names: Iterable[str]) -> None:
+    def __init__(self, names: Iterable[str], parted: Mapping[str, str] | None = None) -> None:
+        self._names = tuple(names)
+        self._written = parted or {}
         self._own = frozenset(
             piece
-            for name in names
-            for piece in re.split(r"[-_\d]+", name)
+            for name in self._names
+            for piece in re.split(r"[-_\d]+", self._written.get(name, name))
             if len(piece) >= _SHORTEST
         )
 
     def spaced(self, name: str) -> str:
         """A name as words: `robot-at` is "robot at", `line3` is "line 3", `l3` stays."""
-        marked = re.sub(r"[-_]+", " ", name).strip()
-        marked = re.sub(r"\b([a-z]{3,})(\d+)\b", r"\1 \2", marked)
-        return " ".join(part for piece in marked.split() for part in self._parted(piece))
+        pieces = self.marked(name).split()
+        return " ".join(part for piece in pieces for part in self._parted(piece))
+
+    def marked(self, name: str) -> str:
+        """A name parted where it was written so, and nowhere else."""
+        marked = re.sub(r"[-_]+", " ", self._written.get(name, name)).strip()
+        marked = re.sub(r"\b([a-z]{3,})(\d+)", r"\1 \2", marked)
+        return re.sub(r"(\d)([a-z]{3,})\b", r"\1 \2", marked)
 
     def verbal(self, name: str) -> str:
         """The same of an act, whose verb may carry its particle: `pickup` is "pick up"."""
         first, *rest = self.spaced(name).split() or [name]
+        rest = [word for word in rest if not word.isdigit()]  # `fix-1` and `fix-2`
         for particle in _PARTICLES:
             verb = first.removesuffix(particle)
             if verb != first and len(verb) >= _SHORTEST and is_word(verb):
                 return " ".join([verb, particle, *rest])
+        if rest:
+            # `putoutfire`: "outfire" is in the dictionary, but "fire" is what the domain speaks of
+            for particle in _PARTICLES:
+                if rest[0].removeprefix(particle) in self.spoken - {rest[0]}:
+                    return " ".join([first, particle, rest[0].removeprefix(particle), *rest[1:]])
         return " ".join([first, *rest])
+
+    @cached_property
+    def spoken(self) -> frozenset[str]:
+        """All words that the names of the domain are made of."""
+        return frozenset(word for name in self._names for word in self.spaced(name).split())
+
+    def noun(self, kind: str) -> str:
+        """What things of a type are called, its usual abbreviations spelled out."""
+        return " ".join(map(spelled_out, self.spaced(kind).split()))
 
     def _parted(self, piece: str) -> tuple[str, ...]:
         if len(piece) < 5 or not piece.isalpha() or is_word(piece):
@@ -79,21 +112,6 @@ class Wording:
 _UNKNOWN = 1000
 
 
-@cache
-def is_word(text: str) -> bool:
-    """Whether the dictionary of English has it."""
-    # Loaded at the first word: the dictionary takes a quarter of a second.
-    import simplemma  # noqa: PLC0415
-
-    return bool(simplemma.is_known(text, lang="en"))
-
-
-def is_quality(text: str) -> bool:
-    """Whether a word says how something is: those have a noun in "-ness"."""
-    head = text[:-1] + "i" if text.endswith("y") else text
-    return is_word(f"{head}ness")
-
-
 def abbreviates(short: str, kind: str) -> bool:
     """Whether a name is short for a type: its first letters, or some of them in order."""
     short, kind = (text.replace("-", "").replace("_", "") for text in (short, kind))
@@ -103,11 +121,10 @@ def abbreviates(short: str, kind: str) -> bool:
     return all(letter in rest for letter in short)
 
 
-def doing(noun: str) -> str | None:
-    """What one who is called after what they do is doing: a "lifter" is "lifting"."""
-    if not noun.endswith(("er", "or")) or len(noun) < 5:
-        return None
-    head = noun[:-2]
-    head = head[:-1] + "y" if head.endswith("i") else head
-    gerund = f"{head}ing"
-    return gerund if is_word(gerund) else None
+def spelled_out(word: str) -> str:
+    """A word of a name as it is said: `loc` is "location", `agv` is "AGV"."""
+    if word in _SHORT_FOR:
+        return _SHORT_FOR[word]
+    if len(word) > 3 or not word.isalpha() or len(word) < 2 or is_word(word):
+        return word
+    return word if word in _RUN_TOGETHER or word in _TITLES else word.upper()
