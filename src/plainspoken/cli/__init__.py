@@ -18,7 +18,7 @@ COMMANDS = {
     "export": "Write a policy or an automaton for other tools.",
     "run": "Carry a mission out and record it.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
-    "eval": "Measure how well sentences are understood.",
+    "eval": "Measure how well sentences are understood, and how true answers are.",
     "missions": "List the missions in a store.",
     "doctor": "See what is installed, and which symbols a problem has.",
 }

@@ -26,6 +26,7 @@ _NOW = r"""
     ^(?:which|what)(?: \w+)? are you (?:\w+ing (?:on|at|with)|handling|treating)\b
     ^what (?:is )?keep(?:s|ing) you (?:busy|occupied)
     ^what has you (?:busy|occupied)
+    ^(?:which|what) (?:step|action|task|job|activity) are you (?:on|at|in)\b
     ^what are your hands (?:full|on)
     ^what is (?:on|in) (?:hand|progress)$
     ^(?:is it|so it is) \w+ (?:\w+ )?you are (?:looking|working|dealing|going)\b

@@ -92,6 +92,8 @@ def _ordered(shape: Shape) -> Kind:
         return Kind.COUNT_HISTORY
     if re.match(r"(?:imagine|suppose|assume|say)\b", shape.clause):
         return Kind.WHAT_IF
+    if idiom_of(shape.clause) is Kind.PAST:
+        return Kind.PAST  # "Fill me in" orders nothing but an account.
     return noun_alone(shape.clause) or Kind.COMMAND
 
 
