@@ -120,7 +120,7 @@ _COPULA = (
 _LIGHT = frozenset(
     {"now", "still", "already", "yet", "again", "also", "just", "currently", "once", "more", "only"}
     | {"any", "so", "too", "then", "finally", "here", "ago", "longer", "completely", "quite"}
-    | {"standing", "located", "really", "probably", "soon", "later", "ever", "by", "me"}
+    | {"standing", "located", "really", "actually", "probably", "soon", "later", "ever", "by", "me"}
 )
 _NOT = frozenset({"not", "no", "never", "neither", "none"})
 _CAUSING = frozenset(
