@@ -80,6 +80,7 @@ _WHY_ACTION = r"""
     |meant to )?(?:achieve|accomplish|bring|gain|serve|help|do for)\b
 """
 _WHY_NOT = r"""
+    ^(?:could|can) you not\b
     ^what is (?:the|your) (?:hold[ -]?up|delay|obstacle|problem|snag|holdup)
     ^what (?:is )?(?:taking|took|takes) you so long to\b
     ^what are you waiting for

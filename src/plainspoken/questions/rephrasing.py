@@ -138,7 +138,7 @@ def _weighty(text: str, lexicon: Lexicon) -> list[str]:
 
 
 def _with_first_verbs(text: str, lexicon: Lexicon) -> str:
-    """A text that says each action with the first of its verbs, `harvest` for `pick`."""
+    """A text that says each action with the first of its verbs, `collect` for `gather`."""
     same = _verbs(ById(lexicon))
     return re.sub(r"[a-z]+", lambda m: same.get(m[0], m[0]), text)
 
