@@ -44,7 +44,7 @@ GOOD = [
 
 
 def scored(rows: tuple[Row, ...], path: Path) -> list[Result]:
-    translate = FromReplies(read_replies(path, rows))
+    translate = FromReplies(read_replies(path, {row.id for row in rows}))
     return [result for result, _ in run_experiment(rows, "batch", translate, timed=False)]
 
 
@@ -134,5 +134,7 @@ def test_a_line_that_answers_none_of_the_requests_is_named(
     replies: list[dict[str, Any]], what: str, tmp_path: Path
 ) -> None:
     with pytest.raises(InputFileError, match=what) as caught:
-        read_replies(written(tmp_path / "out.jsonl", replies), small_rows(tmp_path))
+        read_replies(
+            written(tmp_path / "out.jsonl", replies), {row.id for row in small_rows(tmp_path)}
+        )
     assert caught.value.line == 2

@@ -24,6 +24,7 @@ from plainspoken.world.pddl import parse_domain, parse_problem
 from plainspoken.world.scene import successors
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+DOMAINS = Path(__file__).resolve().parent / "domains"
 
 WAREHOUSE = """
 (define (domain warehouse)
@@ -93,10 +94,14 @@ class Setting:
         return parse_problem(self.problem, parse_domain(self.domain, "domain"), "problem")
 
 
-def _example(name: str, goal: str) -> Setting:
-    folder = EXAMPLES / name
-    texts = [(folder / f"{each}.pddl").read_text() for each in ("domain", "problem")]
-    return Setting(name, *texts, goal, (folder / "landmarks.json").read_text())
+def _example(name: str, goal: str, folder: Path = EXAMPLES) -> Setting:
+    domain, problem = (
+        (folder / name / f"{each}.pddl").read_text() for each in ("domain", "problem")
+    )
+    landmarks = folder / name / "landmarks.json"
+    return Setting(
+        name, domain, problem, goal, landmarks.read_text() if landmarks.exists() else "{}"
+    )
 
 
 VINEYARD = _example("vineyard", "F cleared_l0 & F cleared_l1 & F cleared_l2 & F cleared_l3")
@@ -130,6 +135,17 @@ FURTHER = {
         " & (!robot_at_cart_plug W delivered_crate)",
     ),
     "soup": _example("kitchen", "F served_soup & F !open_fridge"),
+    "hospital": _example(
+        "hospital",
+        "F charted_adams & F charted_brown & F nurse_informed"
+        " & (!robot_at_medi_room_2 U given_aspirin_adams)",
+        DOMAINS,
+    ),
+    "reading_room": _example(
+        "reading_room",
+        "F shelved_atlas & F shelved_sonnets & G(torn_diary -> F mended_diary)",
+        DOMAINS,
+    ),
 }
 """Settings that only some tests ask about."""
 

@@ -20,7 +20,7 @@ COMMANDS = {
     "work": "Carry out the missions that wait in a store, as a worker.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
     "answer": "Answer what a mission asks of people.",
-    "eval": "Measure how well sentences are understood.",
+    "eval": "Measure how well sentences are understood, and how true answers are.",
     "missions": "List missions; pause, resume or cancel one; write its log.",
     "doctor": "See what is installed, and which symbols a problem has.",
 }

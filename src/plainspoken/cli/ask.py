@@ -29,6 +29,12 @@ from plainspoken.world.event import Entry
 @click.option("--at", type=click.IntRange(min=0), metavar="STEP", help="Answer as if asked then.")
 @batch_options("question")
 @click.option("--full", is_flag=True, help="Tell every fact that matters, not the main ones.")
+@click.option(
+    "--rephrase",
+    metavar="PROVIDER:NAME",
+    help="Have a language model say it, checked, in its words.",
+)
+@click.option("--explain", is_flag=True, help="Show what a model said, and what was wrong with it.")
 @click.option("--json", "as_json", is_flag=True, help="Print claims and evidence, too.")
 def ask(
     *,
@@ -40,6 +46,8 @@ def ask(
     batch: Path | None,
     out: Path | None,
     full: bool,
+    rephrase: str | None,
+    explain: bool,
     as_json: bool,
 ) -> None:
     """Ask what the robot is doing, has done, will do, why, and how far it is.
@@ -69,8 +77,28 @@ def ask(
         raise click.UsageError("ask a QUESTION, in quotes, or give --batch")
     elif as_json:
         click.echo(json.dumps(answered(question)[1], indent=2, ensure_ascii=False))
+    elif rephrase is not None:
+        _say_rephrased(answered(question)[0], moment, rephrase, explain=explain)
     else:
         click.echo(answered(question)[0].text)
+
+
+def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> None:
+    """Print an answer in a model's words where they pass, else as it was computed."""
+    from plainspoken.cli.translator import language_model
+    from plainspoken.language.completion import PATIENCE
+    from plainspoken.questions.rephrasing import rephrased
+
+    with language_model(model, PATIENCE) as connected:
+        said = rephrased(found, moment, connected)
+    click.echo(said.text)
+    if not explain:
+        return
+    for attempt in said.attempts:
+        verdict = "; ".join(attempt.faults) or "states what was computed, and nothing else"
+        click.echo(f"  {attempt.text or '(no text)'}\n    {verdict}", err=True)
+    if said.fell_back:
+        click.echo("  so the computed words are said", err=True)
 
 
 def _entries(log: Path | None, mission: str | None, store: str | None) -> Sequence[Entry]:

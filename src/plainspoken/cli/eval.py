@@ -12,14 +12,14 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 
 import click
-from rich import box
 from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 from rich.text import Text
 
 from plainspoken import __version__
 from plainspoken.cli.exit import write_whole
+from plainspoken.cli.monitoring import monitoring
+from plainspoken.cli.shown import MOST_SHOWN, shown_table
 from plainspoken.cli.site import FILE
 from plainspoken.cli.translator import chosen_translator, translator_options
 from plainspoken.errors import PlainspokenError
@@ -29,7 +29,6 @@ from plainspoken.evaluation.experiment import Result, Translate, run_experiment
 from plainspoken.evaluation.figure import picture
 from plainspoken.evaluation.journal import Journal
 from plainspoken.evaluation.summary import Summary, summarised, summary_to_json
-from plainspoken.evaluation.table import Table as Values
 from plainspoken.evaluation.table import caption, confusion, failures, markdown, mistaken, tables
 from plainspoken.evaluation.translation import WithModel, embedded
 from plainspoken.language.recorded import RecordedModel
@@ -39,13 +38,14 @@ from plainspoken.world.landmark import read_landmarks
 
 WORTH_PROCESSES = 200
 """Sentences from which starting further processes pays."""
-MOST_SHOWN = 25
-"""Rows of a table that are printed; more are counted."""
 
 
 @click.group(name="eval")
 def eval() -> None:  # noqa: A001 - the name of the command
-    """Measure how well sentences are understood."""
+    """Measure how well sentences are understood, and how true answers are."""
+
+
+eval.add_command(monitoring)
 
 
 @eval.command()
@@ -138,7 +138,7 @@ def _rows(corpus: Path, landmarks: Path | None) -> tuple[Row, ...]:
 def _measured(batch: Path | None, rows: Sequence[Row]) -> Iterator[tuple[str, Translate]]:
     """Whom the options ask to translate, and what to call it."""
     if batch is not None:
-        yield "batch", FromReplies(read_replies(batch, rows))
+        yield "batch", FromReplies(read_replies(batch, {row.id for row in rows}))
         return
     with chosen_translator() as translator:
         if not isinstance(translator, SecondOpinion):
@@ -217,24 +217,9 @@ def _print(summary: Summary, console: Console, out: Path | None) -> None:
     shown = [each for each in tables(summary) if each.title != wide]
     shown += [each for each in (mistaken(summary), failures(summary)) if each.rows]
     for values in shown:
-        console.print(_table(values))
+        console.print(shown_table(values))
         if len(values.rows) > MOST_SHOWN:
             left = len(values.rows) - MOST_SHOWN
             console.print(f"  and {left} more rows: see --out or --json\n", style="dim")
     if out is not None:
         click.echo(f"written to {out}: results.jsonl, extraction.md, extraction.svg", err=True)
-
-
-def _table(values: Values) -> Table:
-    table = Table(
-        title=values.title,
-        title_justify="left",
-        box=box.SIMPLE_HEAD,
-        padding=(0, 2, 0, 0),
-        pad_edge=False,
-    )
-    for column in values.columns:
-        table.add_column(column)
-    for row in values.rows[:MOST_SHOWN]:
-        table.add_row(*map(Text, row))
-    return table

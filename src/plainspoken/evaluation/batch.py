@@ -7,7 +7,7 @@ line out (custom_id, response with status_code and body, error).
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -64,12 +64,11 @@ def requests(rows: Sequence[Row], model: str) -> Iterator[dict[str, Any]]:
         }
 
 
-def read_replies(path: str | Path, rows: Sequence[Row]) -> Replies:
+def read_replies(path: str | Path, ids: Collection[RowId]) -> Replies:
     """Read the output of a batch; requests that failed are replies too.
 
-    raises InputFileError: with the line that is no reply, or not to one of the rows
+    raises InputFileError: with the line that is no reply, or not to one of the ids
     """
-    ids = {row.id for row in rows}
     replies: dict[RowId, str | NoReply] = {}
     for line, document in json_lines(path):
         id = document.get("custom_id")

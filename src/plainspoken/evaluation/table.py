@@ -34,10 +34,10 @@ def markdown(summary: Summary) -> str:
     parts = ["# Extraction", caption(summary)]
     for table in tables(summary):
         parts.append(f"## {table.title}")
-        parts.append(_lines(table))
+        parts.append(lines(table))
     if summary.failures:
         parts.append("## Not right")
-        parts.append(_lines(failures(summary)))
+        parts.append(lines(failures(summary)))
     return "\n\n".join(parts) + "\n"
 
 
@@ -130,7 +130,8 @@ def _duration(seconds: float) -> str:
     return f"{seconds * 1000:.1f} ms" if seconds < 1 else f"{seconds:.1f} s"
 
 
-def _lines(table: Table) -> str:
+def lines(table: Table) -> str:
+    """A table as Markdown."""
     rule = ("---", *("---:" for _ in table.columns[1:]))
     cells = (table.columns, rule, *(tuple(map(_cell, row)) for row in table.rows))
     return "\n".join(f"| {' | '.join(row)} |" for row in cells)

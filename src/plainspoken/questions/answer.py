@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import assert_never
 
@@ -57,7 +58,10 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
         case Kind.WHY_ACTION:
             tell_why(draft, question)
         case Kind.STATE:
-            tell_state(draft, question, full=full)
+            if _asks_what_is_done(question):
+                tell_progress(draft, question)
+            else:
+                tell_state(draft, question, full=full)
         case Kind.PROGRESS:
             tell_progress(draft, question)
         case Kind.CONSTRAINT:
@@ -69,6 +73,9 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
             tell_when(draft, question)
         case Kind.WHY_NOT:
             answered = tell_why_not(draft, question)
+            if not answered and not (question.referents.actions or question.referents.objects):
+                tell_now(draft, question, full=full)  # "What's the hold-up?": what I'm at, and why.
+                answered = True
         case Kind.WHY_HAPPENED:
             answered = tell_cause(draft, question)
             if not answered and (question.referents.actions or question.referents.objects):
@@ -92,6 +99,12 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
             assert_never(question.kind)
     if not answered:
         _not_yet(draft, "I can't answer that yet")
+
+
+def _asks_what_is_done(question: Question) -> bool:
+    """`Which lines are done?`: of things of a kind, and no fact of them."""
+    done = re.search(r"\b(?:done|finished|left|through)\b", question.text.lower())
+    return bool(done and question.referents.kinds and not question.referents.predicates)
 
 
 def _not_yet(draft: Draft, why: str) -> None:

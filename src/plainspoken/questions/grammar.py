@@ -105,7 +105,9 @@ class Shape:
 
 _OPENING = re.compile(
     r"^(?:and|so|but|then|now|well|ok|okay|alright|right|hey|hi|hello|please|excuse me|listen|sorry"
-    r"|robot|also|just|again|tell me this|one question|quick question|out of curiosity)\b (?=\w)"
+    r"|robot|also|just|again|tell me this|one question|quick question|out of curiosity"
+    r"|roughly|approximately|about(?= how)|exactly|honestly|seriously|actually|status please"
+    r"|come on|say(?= (?:how|what|why|where|when|who)))\b (?=\w)"
 )
 _KEPT_OPENING = re.compile(r"^(?:and|then|so|now) (?:then|now|what|after that)?$|^(?:now|then)$")
 _ME = r"(?: to)?(?: me| us)?"
@@ -113,8 +115,11 @@ _FRAME = re.compile(
     rf"^(?:(?:can|could|would|will) you (?:please |kindly |just |quickly )*(?=(?:tell|show|list"
     rf"|give|name|explain|describe|say|report|summari[sz]e|recap|remind|walk|talk|run|let|count)\b))?"
     rf"(?:(?:please|kindly|just) )?"
-    rf"(?:(?:tell|show|remind|explain|describe|say|give|list|name|report|recap|summari[sz]e|repeat)"
-    rf"{_ME}(?: about| again| exactly)?(?= )"
+    rf"(?:(?:tell|show|give|say|remind)(?: to)?"
+    rf"(?: me| us| about|(?= (?:what|which|why|where|when|how"
+    rf"|who|whether|if|a|an|your)\b))(?: about| again| exactly)?(?= )"
+    rf"|(?:explain|describe|list|name|report|recap|summari[sz]e|repeat)"
+    rf"{_ME}(?: about| again| exactly)?(?= (?!please$))"
     rf"|sum up|(?:walk|talk|run|take) (?:me|us) through|let (?:me|us) know"
     rf"|(?:do|would|could) you (?:happen to )?(?:know|remember|recall|think|believe)"
     rf"|(?:have you )?any idea|are you (?:sure|certain|aware)(?: that)?"
@@ -123,7 +128,8 @@ _FRAME = re.compile(
     rf"|can i (?:ask|know)|may i (?:ask|know))(?: if| whether)? "
 )
 _REPORTING = re.compile(
-    r"^(?:fyi|by the way|btw|note that|heads up|for your information|be aware|careful"
+    r"^(?:watch out|look out|attention|beware|look|mind you|(?:it )?turns out|fyi|by the way|btw"
+    r"|note that|heads up|for your information|be aware|careful"
     r"|just (?:so you know|to let you know)|(?:so |as )?you (?:should|may|might) know)(?: that)? "
 )
 _AHEAD = re.compile(
@@ -144,6 +150,10 @@ _WH = re.compile(
     r"(why|how come|how many|how much|how often|how frequently|how long|how far|how soon|how close"
     r"|how recently|how|what|which|who|whom|whose|where|when)\b"
 )
+_CLEFT = re.compile(
+    r"^(what|who|where|why|when|how) (?:is|was) it (?:that )?(?=(?:you|is|was|has|i|we|the)\b)"
+)
+"""`What is it that is going on` asks what is going on."""
 _REASON = re.compile(
     r"^(?:(?:for|with) (?:what|which)(?: \w+)? (?:reason|purpose|motive|intention|aim)s?"
     r"|to what (?:end|purpose)|on what grounds|what reason"
@@ -179,6 +189,7 @@ def shape_of(
     if ahead := _AHEAD.match(clause):
         clause = f"{ahead[2]} {ahead[1]}"
     clause = re.sub(r"^let us (?=say|suppose|assume|imagine)", "", clause)
+    clause = _CLEFT.sub(r"\1 ", clause)
     telling = _REPORTING.match(clause)
     clause = _ASIDE.sub("", _REPORTING.sub("", clause))
     tag = _TAG.search(clause) if " " in clause else None
@@ -251,8 +262,10 @@ def _question_word(clause: str) -> str:
         r"\b(?:wait|look|search|ask|call|aim|head|mak)(?:ing)? for$", clause
     ):
         return "why"
-    if re.match(r"how (?:did|does|could|has|have|do) (?!you\b|i\b|we\b|it go)", clause) and (
-        re.search(r"\b(?:get|got|become|became|come|end|ended|turn|happen|gotten)\b", clause)
+    if re.match(r"how (?:did|does|could|has|have|do) (?!you\b|i\b|it go)", clause) and re.search(
+        r"\b(?:get|got|become|became|come|end|ended|turn|happen|gotten|break"
+        r"|run (?:out|low|short))\b",
+        clause,
     ):
         return "why"
     if re.match(
@@ -308,6 +321,8 @@ def _tense(clause: str) -> Tense:
         _LATER.search(clause) and not re.search(r"\bw(?:as|ere)\b", clause)
     ):
         return Tense.FUTURE
+    if re.search(r"\b(?:has|have)\b.*\bhad\b", clause):
+        return Tense.PERFECT
     if re.search(r"\b(?:did|was|were|had)\b", clause):
         return Tense.PAST
     have = re.search(r"\b(?:has|have)\b(?! to\b)(.*)", clause)

@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 
 from plainspoken.questions.grammar import BE, HAVE, Mood, Shape, Tense
+from plainspoken.questions.idiom import idiom_of, noun_alone
 from plainspoken.questions.kind import Kind, is_small_talk
 from plainspoken.questions.referent import MOTION, Referents
-from plainspoken.questions.voice import does, does_exactly, forms_of
+from plainspoken.questions.voice import does, does_exactly, forms_of, of_a_thing
 
 _TASK = r"goals?|missions?|jobs?|orders?|objectives?|requests?|aims?|wish(?:es)?|assignment"
 _STEP = r"actions?|steps?|tasks?|things?|moves?|activit(?:y|ies)|operations?|jobs?"
@@ -46,6 +47,10 @@ def kind_of(shape: Shape, referents: Referents, plain: str) -> Kind:
         return _told(shape, referents)
     if _supposes(shape, referents):
         return Kind.WHAT_IF
+    if idiom := idiom_of(shape.clause):
+        return idiom
+    if not (shape.wh or shape.auxiliary) and (alone := noun_alone(shape.clause)):
+        return alone
     for decide in (_about_reason, _about_number, _about_rule, _about_whole):
         kind = decide(shape, referents)
         if kind is not None:
@@ -62,6 +67,7 @@ def _is_request(shape: Shape, referents: Referents, plain: str) -> bool:
     """`Can you call the other robot?`, `I'd like you to wait`, `you must stop`."""
     if re.search(
         r"\bi (?:want|need|order|ask|would (?:like|prefer|love)) (?:for )?you (?:not )?to\b"
+        r"|^i would (?:rather|prefer|like|love) (?:it if )?you\b"
         r"|^i (?:want|need|would like) (?!to\b|you\b)"
         r"|^(?:you|robot) (?:should|must|have to|need to|ought to|had better|may|can|are to)\b"
         r"|\bwould you mind \w+ing|^let us (?!say|suppose|assume|imagine)"
@@ -70,7 +76,8 @@ def _is_request(shape: Shape, referents: Referents, plain: str) -> bool:
     ):
         return True
     found = re.search(
-        r"\b(?:can|could|would) you (?:please |kindly |just |now |maybe )*(\w+)", plain
+        r"\b(?:can|could|would) you (?:please |kindly |just |now |maybe )*(\w+)(?! (?:me|us)\b)",
+        plain,
     )
     return bool(
         found
@@ -80,32 +87,19 @@ def _is_request(shape: Shape, referents: Referents, plain: str) -> bool:
     )
 
 
-_NOUN_ALONE = (
-    (Kind.PROGRESS, r"status|progress|how far|done|finished|ready|anything left|all done|complete"),
-    (Kind.FUTURE, r"plans?|next|and next|and then|then|next steps?|and after that|intentions?"),
-    (Kind.PAST, r"summary|recap|log|history|report|so far|and before(?: that)?|before that"),
-    (Kind.NOW, r"now|and now|right now|busy|situation|current \w+|doing what"),
-)
-
-
 def _ordered(shape: Shape) -> Kind:
     if shape.has(r"count") and shape.has("times|often|number"):
         return Kind.COUNT_HISTORY
     if re.match(r"(?:imagine|suppose|assume|say)\b", shape.clause):
         return Kind.WHAT_IF
-    return _alone(shape) or Kind.COMMAND
-
-
-def _alone(shape: Shape) -> Kind | None:
-    for kind, words in _NOUN_ALONE:
-        if re.match(rf"(?:(?:the|your|a|any|quick) )*(?:{words})\b", shape.clause):
-            return kind
-    return None
+    if idiom_of(shape.clause) is Kind.PAST:
+        return Kind.PAST  # "Fill me in" orders nothing but an account.
+    return noun_alone(shape.clause) or Kind.COMMAND
 
 
 def _told(shape: Shape, referents: Referents) -> Kind:
     """A statement: a report, unless it is a few words that ask for something."""
-    if alone := _alone(shape):
+    if alone := noun_alone(shape.clause):
         return alone
     about = referents.objects or referents.predicates or referents.actions
     if shape.subject == "you" and not about:
@@ -124,6 +118,8 @@ def _supposes(shape: Shape, referents: Referents) -> bool:
         return True
     if shape.has(r"react|respond|cope|handle") and shape.tense is Tense.CONDITIONAL:
         return True
+    if shape.tense is Tense.CONDITIONAL and shape.has("what would you do (?:with|at|about|in)"):
+        return True
     later = re.search(
         r"(?:do|happens?|go on|react|proceed|next|then) (?:when|whenever|once|as soon as)\b",
         shape.clause,
@@ -137,9 +133,15 @@ def _about_reason(shape: Shape, referents: Referents) -> Kind | None:
         return Kind.WHY_NOT
     if shape.wh != "why" and not re.search(r"\bwhy\b", shape.clause):
         return Kind.WHY_HAPPENED if shape.has("(?:went|go|gone) wrong with") else None
+    if of_a_thing(shape, referents) and not shape.negated:
+        return Kind.WHY_HAPPENED
     speaks_of_deed = does(shape, referents)
     contrast = shape.has("instead|rather than|and not|first|before|ahead of|sooner")
     other_subject = bool(referents.objects) and not speaks_of_deed and not shape.has("you|your")
+    yet = shape.negated and shape.has("yet|already")
+    undone = other_subject and not referents.predicates and shape.tense is not Tense.PAST
+    if yet or (shape.negated and undone and not shape.has("can|could")):
+        return Kind.WHY_NOT
     if shape.negated and other_subject:
         return Kind.WHY_HAPPENED
     if shape.negated or (contrast and speaks_of_deed):
@@ -181,8 +183,12 @@ def _about_number(shape: Shape, referents: Referents) -> Kind | None:
         if steps and not past:
             return Kind.PROGRESS
         counts = steps or referents.actions or shape.noun in referents.verbs
-        found = shape.has("find|found|see|seen|know|have got")
-        return Kind.COUNT_HISTORY if past and counts and not found else Kind.STATE
+        found = shape.has("find|found|see|know|have got|there")
+        did = re.search(r"\b(?:did|have|had|has) (?:you|it|we|the robot)\b", shape.clause)
+        tries = re.fullmatch(r"tr(?:y|ip)|attempt|goe?|visit|round|call|effort", shape.noun)
+        if past and not found and (counts or did or tries):
+            return Kind.COUNT_HISTORY
+        return Kind.STATE
     return None
 
 
@@ -291,8 +297,8 @@ def _by_tense(shape: Shape, referents: Referents) -> Kind:
         return Kind.PAST
     if _is_now(shape, referents):
         return Kind.NOW
-    known = referents.objects or referents.predicates or referents.kinds
-    if known or shape.wh in ("where", "who"):
+    known = referents.objects or referents.predicates or referents.kinds or referents.topics
+    if known or shape.wh == "where" or (shape.wh == "who" and shape.has("you|there|here|around")):
         return Kind.STATE
     if referents.actions or shape.has("it|this|that|so"):
         return Kind.NOW if shape.auxiliary in BE else Kind.FUTURE

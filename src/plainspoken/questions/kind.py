@@ -36,9 +36,11 @@ _OUT_OF_SCOPE = re.compile(
     r"|^how (?:are you|do you (?:do|feel)|old are you)(?: \w+)?$"
     r"|\b(?:joke|weather|meaning of life)\b"
     r"|^are you (?:happy|sad|tired|alive|human|conscious|bored|a robot|real)\b|system prompt"
-    r"|do you (?:like|love|dream|enjoy|believe in|speak)\b|^who (?:made|built|created|designed)\b"
+    r"|do you (?:like|love|dream|enjoy|believe in|speak)\b"
+    r"|^who (?:made|built|created|designed)(?: you)?$"
     r"|^what can (?:you (?:do|answer|tell|talk about)|i ask)|\bsing\b|^tell me about yourself"
-    r"|^help(?: me)?$|^ignore (?:all |any )?(?:your|previous|the|these)\b|^pretend (?:to|you)\b"
+    r"|^help(?: me)?$|^happy \w+$|^pretend (?:to|you)\b|^(?:ignore|disregard|forget) "
+    r"(?:all |any )?(?:your|previous|the (?:above|previous|prior)|these)\b"
 )
 
 

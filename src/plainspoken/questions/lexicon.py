@@ -35,7 +35,11 @@ _RELATING = frozenset(
 _DETERMINERS = ("the ", "a ", "an ", "my ", "your ")
 _VERB = re.compile(r"^(?P<subject>.+?) (?P<verb>is|are|has|have|holds|contains) (?P<rest>.+)$")
 _CODE = re.compile(r"^(?P<letters>[a-z]+?)[-_]?(?P<number>\d+)$")
-_PERSONS = frozenset({"person", "human", "man", "woman", "people", "user", "operator", "agent"})
+_PERSONS = frozenset(
+    {"person", "human", "man", "woman", "people", "user", "operator", "agent", "patient", "guest"}
+    | {"customer", "client", "nurse", "doctor", "worker", "child", "student", "passenger"}
+    | {"visitor", "resident", "friend", "colleague"}
+)
 
 
 def split_name(name: str) -> list[str]:

@@ -54,6 +54,32 @@ _ABOUT_PLACES = (Kind.PAST, Kind.FUTURE, Kind.COUNT_HISTORY, Kind.WHEN)
 """Kinds for which going to a place is being there: "did you enter", "have you been to"."""
 
 
+_HANGS_ON = (
+    r"(?:and |but |so |then )?(?:if|when|once|after|before|as soon as|while|whenever|until|suppose"
+)
+_HANGS_ON += r"|supposing|assum\w+|imagine|say|let'?s|in case|provided|should|given|what if)\b"
+_ASKS = (
+    r"(?:and |but |so )?"
+    r"(?:what|where|which|who|why|how|when|are|is|do|does|did|have|has|will|can)\b"
+)
+
+
+def _asked_part(text: str) -> str:
+    """The clause that asks, without remarks before it: `I don't get it, why wash the onion?`."""
+    parts = [part.strip() for part in re.split(r"[.!?;:,]\s+|\s+[-–—]+\s+", text) if part.strip()]
+    asking = [
+        index
+        for index, part in enumerate(parts)
+        if re.match(_ASKS, part, re.IGNORECASE) and part.count(" ") > 1  # "Are you?" is a tag.
+    ]
+    if not asking or any(re.match(_HANGS_ON, part, re.IGNORECASE) for part in parts):
+        return text
+    first = asking[0]
+    mark = "?" if text.rstrip().endswith("?") else ""
+    # "The onion, have you washed it?" names its object first; a name is no remark.
+    return ", ".join(parts[first:]) + mark if len(parts[0].split()) > 2 and first else text
+
+
 def _other_deeds(referents: Referents) -> bool:
     """Whether an action is named that does more than go somewhere."""
     going = {name for name, _ in referents.goals}
@@ -64,6 +90,7 @@ def question_of(text: str, lexicon: Lexicon) -> Question:
     """Read a question, a report or a command."""
     plain = normal(text)
     referents = referents_of(plain, lexicon)
+    plain = normal(_asked_part(text))
     me = lexicon.synonyms(lexicon.me) if lexicon.me else frozenset()
     shape = shape_of(
         plain,

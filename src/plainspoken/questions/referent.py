@@ -21,48 +21,10 @@ from plainspoken.world.domain import GroundAction, GroundAtom
 
 _ALIKE = {"in": "inside", "inside": "in", "on": "onto", "onto": "on"}
 _EMPTY = frozenset(
-    [
-        "a",
-        "an",
-        "the",
-        "of",
-        "to",
-        "is",
-        "are",
-        "was",
-        "were",
-        "be",
-        "been",
-        "am",
-        "i",
-        "you",
-        "it",
-        "he",
-        "she",
-        "they",
-        "we",
-        "my",
-        "your",
-        "our",
-        "its",
-        "that",
-        "this",
-        "there",
-        "have",
-        "has",
-        "had",
-        "do",
-        "does",
-        "did",
-        "will",
-        "would",
-        "can",
-        "could",
-        "robot",
-    ]
+    {"a", "an", "the", "of", "to", "is", "are", "was", "were", "be", "been", "am", "that", "this"}
+    | {"i", "you", "it", "he", "she", "they", "we", "my", "your", "our", "its", "there", "robot"}
+    | {"have", "has", "had", "do", "does", "did", "will", "would", "can", "could"}
 )
-
-
 _BEEN = re.compile(r"\b(?:been|was|were|went|away|out)\b")
 MOTION = frozenset(
     {"go", "move", "drive", "come", "head", "travel", "enter", "visit", "reach", "arrive", "return"}
@@ -82,6 +44,8 @@ class Referents:
     verbs:   every word that is an action's verb in this domain
     visits:  that I am at a place named, where the words speak of going or having been there
     goals:   for each action that only goes somewhere, which argument says where
+    topics:  predicates whose own noun is said and whose property is not: `the floor`, `the battery`
+    things:  the words said for objects that cannot act
     """
 
     objects: tuple[str, ...] = ()
@@ -92,6 +56,8 @@ class Referents:
     verbs: frozenset[str] = frozenset()
     visits: tuple[GroundAtom, ...] = ()
     goals: tuple[tuple[str, int], ...] = ()
+    topics: tuple[str, ...] = ()
+    things: frozenset[str] = frozenset()
 
     def concerns(self, action: GroundAction) -> bool:
         """Whether a ground action is one of those spoken of."""
@@ -124,8 +90,26 @@ def referents_of(plain: str, lexicon: Lexicon) -> Referents:
     if visits and MOTION & set(lemmas.values()):
         # Whatever takes me there: "go" may be the very word for one of several ways to move.
         actions = tuple(dict.fromkeys([*actions, *(name for name, _ in index.goals)]))
+    goals = tuple(index.goals)
+    topics = () if predicates else index.topics_in(tokens)
+    things = frozenset(
+        words
+        for name in objects
+        if name not in lexicon.actors
+        for words in lexicon.synonyms(name)
+        if words in plain
+    )
     return Referents(
-        objects, kinds, predicates, actions, atoms, index.verbs, visits, tuple(index.goals)
+        objects,
+        kinds,
+        predicates,
+        actions,
+        atoms,
+        verbs=index.verbs,
+        visits=visits,
+        goals=goals,
+        topics=topics,
+        things=things,
     )
 
 
@@ -332,6 +316,17 @@ class _Index:
             if matched:
                 found[predicate] = max(found.get(predicate, 0), len(words))
         return tuple(sorted(found, key=lambda each: (-found[each], each)))
+
+    def topics_in(self, tokens: list[str]) -> tuple[str, ...]:
+        """The predicates whose noun is said: `floor` for `floor-wet`."""
+        return tuple(
+            predicate
+            for predicate in sorted(self._problem.changing_predicates)
+            if (words := split_name(predicate))[1:]
+            and words[0] in tokens
+            and not {words[0], words[-1]} & (PREPOSITIONS | {"robot"})
+            and len(words) == 2
+        )
 
     def _alike(self, word: str, lemmas: dict[str, str]) -> bool:
         """Whether a word of a name has a form of the same verb among the words said."""

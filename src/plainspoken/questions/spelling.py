@@ -55,5 +55,6 @@ def normal(text: str) -> str:
     for pattern, spelled in _CONTRACTIONS:
         plain = re.sub(pattern, spelled, plain)
     plain = re.sub(rf"\b({_ASKING}) not (you|it|the|they|we|i)\b", r"\1 \2 not", plain)
+    plain = re.sub(r"\b(?:mr|mrs|ms|miss|dr|prof)\b\.? (?=\w)", "", plain)
     plain = re.sub(r"[^\w\s'-]", " ", plain.replace("'s ", " 's "))
     return " ".join(plain.split())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 
 from plainspoken.questions.grammar import BE, DO, MODAL, Shape
@@ -27,6 +28,17 @@ def _is_mine(shape: Shape) -> bool:
     return mine or shape.clause.startswith("what ")
 
 
+def of_a_thing(shape: Shape, referents: Referents) -> bool:
+    """Whether a thing is what acts: `the soup tastes of nothing`, `why did the stove go out`."""
+    subject = re.search(
+        r"\b(?:why|how come|that|do|does|did|has|have|had|will)\b (?:the |that |my |your )?"
+        rf"(?:{'|'.join(map(re.escape, sorted(referents.things))) or '(?!)'})\b",
+        shape.clause,
+    )
+    passive = r"\b(?:be|been|being|get|gets|got|is|are|was|were)\b|\b(?:have|has|had) to\b"
+    return subject is not None and not re.search(passive, shape.clause)
+
+
 _WORK = frozenset({"do", "perform", "carry", "execute", "work", "need", "bother", "use", "choose"})
 
 
@@ -35,6 +47,8 @@ def does(shape: Shape, referents: Referents) -> bool:
 
     `The box was emptied`, `emptying it` and `to empty it` are deeds, `the box is empty` is not.
     """
+    if of_a_thing(shape, referents):
+        return False
     mine = _is_mine(shape)
     known = forms_of(referents.verbs if mine else referents.verbs - MOTION)
     further = forms_of(MOTION | _WORK) if mine else {}
