@@ -30,6 +30,7 @@ from plainspoken.world.event import (
     Resumed,
     RobotFound,
     RobotLost,
+    TakenUp,
     VerdictReached,
     entry_from_json,
 )
@@ -63,6 +64,7 @@ EVENTS: tuple[Event, ...] = (
     VerdictReached("satisfied"),
     Paused("Ada"),
     Resumed("restart"),
+    TakenUp("worker 2"),
     Cancelled("Ada"),
     ActionProgressed("m1-3", 0.5, "closing the gripper"),
     ActionResent("move rob l0 l1", "m1-3"),

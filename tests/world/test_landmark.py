@@ -46,9 +46,9 @@ def test_landmarks_go_to_json_and_come_back() -> None:
     assert landmarks_to_json(landmarks_from_json(GOOD, "l.json")) == GOOD
 
 
-@pytest.mark.parametrize("folder", sorted(EXAMPLES.glob("*/")), ids=lambda folder: folder.name)
-def test_the_landmarks_of_every_example_can_be_read(folder: Path) -> None:
-    assert read_landmarks(folder / "landmarks.json")
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*/landmarks.json")), ids=lambda p: p.parent.name)
+def test_the_landmarks_of_every_example_can_be_read(path: Path) -> None:
+    assert read_landmarks(path)
 
 
 def test_every_landmark_of_the_vineyard_names_something_in_it(vineyard: Problem) -> None:
