@@ -46,7 +46,9 @@ def test_landmarks_go_to_json_and_come_back() -> None:
     assert landmarks_to_json(landmarks_from_json(GOOD, "l.json")) == GOOD
 
 
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*/landmarks.json")), ids=lambda p: p.parent.name)
+@pytest.mark.parametrize(
+    "path", sorted(EXAMPLES.glob("*/landmarks.json")), ids=lambda path: path.parent.name
+)
 def test_the_landmarks_of_every_example_can_be_read(path: Path) -> None:
     assert read_landmarks(path)
 
