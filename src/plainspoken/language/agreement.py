@@ -53,8 +53,7 @@ _LIGHT = frozenset(("more", "another", "except", "e", "less", "every", "single")
 _STANDING = frozenset(("in", "at", "on", "near"))
 _OTHERS_BEHIND = frozenset(("tell", "ask"))
 SURE_OF_PLACES = 0.97
-UNSURE_OF_PLACES = 0.9
-"""The network's own estimate with which it is followed, or asked about, against the rules."""
+"""The network's own estimate with which it is followed where the rules read another order."""
 _FILLED = 1.5
 """More words than were said, by this much, are a list that was left to the rules."""
 _FOUND_BY_WORDS = 0.8
@@ -111,8 +110,10 @@ def settled(sentence: Sentence, ruled: Extraction, heard: Learned) -> Extraction
         return _accepted(ruled, likely)
     if not meets(heard.reading, sentence):
         return ruled
-    if ruled.status is Status.OK and _only_places(sentence):
-        return _of_places(sentence, ruled, heard.reading, likely)
+    if ruled.status is Status.OK and _is_of_places(sentence):
+        # The rules know orders of places and errands best: there the network has to be surer.
+        sure = heard.probability >= SURE_OF_PLACES
+        return _taken(sentence, heard.reading, likely) if sure else ruled
     if ruled.status is Status.REJECT and names_the_unknown(sentence):
         return ruled
     if ruled.clashing:
@@ -190,20 +191,13 @@ def _plain(text: str) -> str:
     return "".join(c for c in text.lower() if c.isalnum())
 
 
-def _of_places(
-    sentence: Sentence, ruled: Extraction, reading: Reading, likely: float
-) -> Extraction:
-    """The rules know orders of places best: there the network has to be surer than elsewhere."""
-    if reading.score >= SURE_OF_PLACES:
-        return _taken(sentence, reading, likely)
-    if reading.score >= UNSURE_OF_PLACES:
-        return _either(sentence, ruled, reading, likely)
-    return ruled
-
-
-def _only_places(sentence: Sentence) -> bool:
+def _is_of_places(sentence: Sentence) -> bool:
+    """Whether a sentence speaks of places alone, or of things that are carried between them."""
     known = sentence.vocabulary.landmarks
-    return all(known[e.symbol].type is LandmarkType.LOCATION for e in sentence.references)
+    found = sentence.references
+    return any(each.errand is not None for each in found) or all(
+        known[each.symbol].type is LandmarkType.LOCATION for each in found
+    )
 
 
 def _is_filled_in(sentence: Sentence) -> bool:
