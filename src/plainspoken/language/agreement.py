@@ -62,11 +62,11 @@ _GAP = 3
 """Words that may stand between two that name one symbol."""
 
 WEIGHTS = {
-    "bias": -0.104,
+    "bias": -0.107,
     "own": 0.641,
-    "agreed": 1.742,
-    "denied": -0.48,
-    "refused": -0.013,
+    "agreed": 1.743,
+    "denied": -0.499,
+    "refused": -0.001,
 }
 """Of the logistic regression in `likelihood`."""
 
@@ -78,7 +78,7 @@ def evidence(heard: Learned, ruled: Extraction, *, agreed: bool) -> dict[str, fl
     """
     own = min(max(heard.probability, 1e-4), 1 - 1e-4)
     return {
-        "bias": -0.104,
+        "bias": 1.0,
         "own": math.log(own / (1 - own)),
         "agreed": float(agreed),
         "denied": float(not agreed and ruled.status is Status.OK),
