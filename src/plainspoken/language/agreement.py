@@ -29,6 +29,7 @@ from plainspoken.language.refusal import unknown_spans
 from plainspoken.language.sentence import Sentence
 from plainspoken.language.whereabouts import can_be_met, places_of_robots
 from plainspoken.language.word import Word
+from plainspoken.logic.english import say
 from plainspoken.logic.formula import atoms
 from plainspoken.logic.pattern import Patrolling
 from plainspoken.world.landmark import LandmarkType
@@ -110,24 +111,26 @@ def settled(sentence: Sentence, ruled: Extraction, heard: Learned) -> Extraction
         return _accepted(ruled, likely)
     if not meets(heard.reading, sentence):
         return ruled
+    said = heard.reading.english or say(heard.reading.formula, sentence.vocabulary.landmarks)
+    reading = replace(heard.reading, english=said)
     if ruled.status is Status.OK and _is_of_places(sentence):
         # The rules know orders of places and errands best: there the network has to be surer.
         sure = heard.probability >= SURE_OF_PLACES
-        return _taken(sentence, heard.reading, likely) if sure else ruled
+        return _taken(sentence, reading, likely) if sure else ruled
     if ruled.status is Status.REJECT and names_the_unknown(sentence):
         return ruled
     if ruled.clashing:
         sure = heard.probability >= SURE_OF_NO_CLASH
-        return _perhaps(sentence, heard.reading, likely) if sure else ruled
+        return _perhaps(sentence, reading, likely) if sure else ruled
     if ruled.status is Status.REJECT and likely < ACCEPTED_ALONE:
-        return _perhaps(sentence, heard.reading, likely) if likely >= ASKED else ruled
+        return _perhaps(sentence, reading, likely) if likely >= ASKED else ruled
     if likely >= ACCEPTED:
-        return _taken(sentence, heard.reading, likely)
+        return _taken(sentence, reading, likely)
     if ruled.status is Status.OK and _is_filled_in(sentence):
         return ruled  # so long a list is beyond the network
     if ruled.status is Status.OK:
-        return _either(sentence, ruled, heard.reading, likely)
-    return _perhaps(sentence, heard.reading, likely) if likely >= ASKED else ruled
+        return _either(sentence, ruled, reading, likely)
+    return _perhaps(sentence, reading, likely) if likely >= ASKED else ruled
 
 
 def names_the_unknown(sentence: Sentence) -> bool:

@@ -14,7 +14,6 @@ from plainspoken.language.marking import marked
 from plainspoken.language.network import Network, network
 from plainspoken.language.notation import NotationError, executable, literal, read
 from plainspoken.language.sentence import Sentence
-from plainspoken.logic.english import say
 from plainspoken.logic.formula import Formula, atoms, conjunction
 from plainspoken.logic.pattern import Pattern
 
@@ -57,7 +56,7 @@ def learned(sentence: Sentence, reader: Network | None = None) -> Learned:
     reading = Reading(
         formula,
         conjunction(*map(literal, stated)),
-        say(formula, known.landmarks),
+        "",  # said where it is needed: most readings only confirm the rules
         written.probability,
         patterns=patterns if len(patterns) == len(stated) else (),
     )
