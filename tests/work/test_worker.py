@@ -70,7 +70,7 @@ def test_missions_of_one_robot_never_overlap_and_come_in_their_order(
 def test_a_mission_is_paused_resumed_and_cancelled_from_outside(
     store: Store, store_url: str, tmp_path: Path
 ) -> None:
-    queue_up(store, "m", tmp_path / "world", pace=0.02)
+    queue_up(store, "m", tmp_path / "world", pace=0.2)
     with at_work(Worker(store, robot_for)), open_store(store_url) as outside:
         until(lambda: "action_started" in kinds(store, "m"))
         reply = ask_of(outside, "m", PauseAsked("ada"), ())
