@@ -98,7 +98,7 @@ def settled(sentence: Sentence, ruled: Extraction, heard: Learned) -> Extraction
 
     ruled: what the rules say of it: a formula, a question, or a reason why not
     """
-    if ruled.final or _is_said_back(ruled):
+    if _is_said_back(ruled):
         return ruled
     unsure = ruled.status is Status.CLARIFY and ruled.confidence is not None
     if ruled.status is Status.CLARIFY and not unsure:

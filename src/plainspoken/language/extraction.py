@@ -146,7 +146,7 @@ def _understanding(sentence: Sentence, reader: Reader | None) -> Extraction:
         asked = _asked_whether(found, heard, sentence.vocabulary) if heard else None
         if asked is not None:
             return asked
-    if reader is not None:
+    if reader is not None and not found.final:
         found = settled(sentence, found, reader(sentence))
     if found.status is not Status.REJECT or not unknown:
         return found
