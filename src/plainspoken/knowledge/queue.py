@@ -115,8 +115,8 @@ SELECT p.mission FROM place AS p WHERE p.worker IS NULL AND p.standing <> 'over'
  AND NOT EXISTS ({_AHEAD}) ORDER BY p.number LIMIT ?
 """  # noqa: S608 - both parts are ours
 _AHEAD_OF = f"""
-SELECT DISTINCT o.mission FROM place AS p, place AS o
- WHERE p.mission = ? AND o.mission IN ({_AHEAD})
+SELECT o.mission FROM place AS p, place AS o
+ WHERE p.mission = ? AND o.mission IN ({_AHEAD}) ORDER BY o.number
 """  # noqa: S608 - both parts are ours
 
 
@@ -126,8 +126,8 @@ def free(session: Session, most: int) -> list[MissionId]:
 
 
 def ahead_of(session: Session, mission: MissionId) -> tuple[MissionId, ...]:
-    """The missions that have a mission's robots before it."""
-    return tuple(sorted(ahead for (ahead,) in session.rows(_AHEAD_OF, (mission,))))
+    """The missions that have a mission's robots before it, in the order of their places."""
+    return tuple(ahead for (ahead,) in session.rows(_AHEAD_OF, (mission,)))
 
 
 def claim(session: Session, worker: WorkerId, mission: MissionId) -> bool:
