@@ -1,0 +1,125 @@
+"""What follows from facts that somebody tells: what else is so then, and what is left open.
+
+Domains keep to rules that nobody writes down: a parcel is in one place, a grape is ripe, unripe,
+unknown or unchecked. Who says "the crate is on the cart" says as well that it is not on its shelf
+any more. The rules are found by `planning.exclusion`, not guessed from words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from plainspoken.planning.exclusion import Exclusions, Literal
+from plainspoken.questions.identity import ById
+from plainspoken.world.domain import GroundAtom, Problem, State
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """Everything that is different afterwards; `implied` is the part that was not said."""
+
+    said: tuple[Literal, ...]
+    implied: tuple[Literal, ...]
+
+    def after(self, state: State) -> State:
+        """A state with all of it."""
+        literals = (*self.said, *self.implied)
+        added = {atom for atom, holds in literals if holds}
+        return (state - {atom for atom, holds in literals if not holds}) | added
+
+
+@dataclass(frozen=True, slots=True)
+class Clash:
+    """Two facts that cannot be together; the same one twice where it can never be so."""
+
+    one: Literal
+    other: Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Open:
+    """Because `no_more` is not so any more, exactly one of these is so; which is not known."""
+
+    no_more: GroundAtom
+    candidates: tuple[GroundAtom, ...]
+
+
+def settled(
+    said: Iterable[Literal], state: State, exclusions: Exclusions
+) -> Settled | Clash | Open:
+    """Draw the conclusions from what is said of a state, static atoms included."""
+    told = tuple(dict.fromkeys(said))
+    facts: dict[GroundAtom, bool] = {}
+    because: dict[GroundAtom, Literal] = {}
+    todo = [(literal, literal) for literal in told]
+    while True:
+        while todo:
+            literal, reason = todo.pop(0)
+            atom, holds = literal
+            if not exclusions.is_possible(literal):
+                return Clash(reason, literal)
+            if facts.setdefault(atom, holds) != holds:
+                return Clash(because[atom], reason)
+            because.setdefault(atom, reason)
+            todo += [
+                (each, reason) for each in exclusions.implied(literal) if each[0] not in facts
+            ]
+            clash = next(
+                (each for each in exclusions.implied(literal) if facts.get(each[0], each[1]) != each[1]),
+                None,
+            )
+            if clash is not None:
+                return Clash(because[clash[0]], reason)
+        empty = _emptied(facts, state, exclusions)
+        if empty is None:
+            break
+        gone, candidates = empty
+        if len(candidates) != 1:
+            return Open(gone, candidates)
+        todo = [((candidates[0], True), because[gone])]
+    implied = tuple(
+        (atom, holds)
+        for atom, holds in facts.items()
+        if (atom, holds) not in told and (atom in state) != holds
+    )
+    return Settled(told, implied)
+
+
+def _emptied(
+    facts: dict[GroundAtom, bool], state: State, exclusions: Exclusions
+) -> tuple[GroundAtom, tuple[GroundAtom, ...]] | None:
+    """An atom that stops being so and leaves a group without any; with what can take its place."""
+    for atom, holds in facts.items():
+        if holds or atom not in state:
+            continue
+        group = exclusions.group(atom)
+        if not group or any(facts.get(each, each in state) for each in group):
+            continue
+        able = [each for each in group if each not in facts]
+        kept = [each for each in able if _fits(each, facts, state, group, exclusions)]
+        return atom, tuple(kept or able)
+    return None
+
+
+def _fits(
+    atom: GroundAtom,
+    facts: dict[GroundAtom, bool],
+    state: State,
+    group: Collection[GroundAtom],
+    exclusions: Exclusions,
+) -> bool:
+    """Whether an atom goes with everything else that is so."""
+    known = (each for each in state if each not in facts and each not in group)
+    return not any(exclusions.exclude((atom, True), (each, True)) for each in known)
+
+
+@lru_cache(maxsize=8)
+def _exclusions(problem: ById[Problem]) -> Exclusions:
+    return Exclusions(problem.value)
+
+
+def exclusions_of(problem: Problem) -> Exclusions:
+    """The exclusions of a problem; kept, as many reports are about one."""
+    return _exclusions(ById(problem))

@@ -1,0 +1,309 @@
+"""A report in words becomes facts to confirm, a question back, or a reason to refuse it.
+
+    report = understood("I cleared line 2 myself", lexicon, state)
+    report.said     # (("cleared l2", True),)
+
+Whatever the words are, nothing comes out but atoms of the problem that some action can change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+from plainspoken.language.extracted import Status
+from plainspoken.language.refusal import LONGEST
+from plainspoken.planning.exclusion import Exclusions, Literal
+from plainspoken.questions.accomplishment import Deed, Outcomes, accomplished
+from plainspoken.questions.consequence import Clash, Open, Settled, exclusions_of, settled
+from plainspoken.questions.kind import Kind
+from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.morphology import listed
+from plainspoken.questions.narration import facts_together
+from plainspoken.questions.question import question_of
+from plainspoken.questions.telling import Told, ahead, told, unsure
+from plainspoken.world.domain import GroundAtom, State
+
+MOST_CHOICES = 6
+MOST_IMPLIED = 6
+"""Conclusions that are said back one by one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One thing that a report may mean: the words to choose it by, and the facts."""
+
+    answer: str
+    facts: Settled
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What became of a report.
+
+    facts:    what is to be recorded (status ok)
+    english:  those facts said back
+    question: what is not clear (status clarify), and `choices` to answer it with
+    reason:   why it is refused (status reject)
+    """
+
+    text: str
+    status: Status
+    facts: Settled | None = None
+    english: str = ""
+    question: str | None = None
+    choices: tuple[Choice, ...] = ()
+    reason: str | None = None
+
+    @property
+    def said(self) -> tuple[Literal, ...]:
+        return self.facts.said if self.facts else ()
+
+    @property
+    def added(self) -> frozenset[GroundAtom]:
+        return self._changed(holds=True)
+
+    @property
+    def deleted(self) -> frozenset[GroundAtom]:
+        return self._changed(holds=False)
+
+    def _changed(self, *, holds: bool) -> frozenset[GroundAtom]:
+        if self.facts is None:
+            return frozenset()
+        literals = (*self.facts.said, *self.facts.implied)
+        return frozenset(atom for atom, so in literals if so == holds)
+
+
+def understood(text: str, lexicon: Lexicon, state: State) -> Report:
+    """Understand a report; state: what is so now, static atoms included."""
+    reason = _unspeakable(text)
+    if reason is not None:
+        return Report(text, Status.REJECT, reason=reason)
+    exclusions = exclusions_of(lexicon.problem)
+    clauses = told(text, lexicon)
+    refusal = _refusal(text, clauses, lexicon)
+    if refusal is not None:
+        return Report(text, Status.REJECT, reason=refusal)
+    named = frozenset(
+        name
+        for clause in clauses
+        for part in clause.words.split("<")[1:]
+        for name in part.split(">")[0].split("+")
+    )
+    stated = [fact for clause in clauses for fact in clause.facts]
+    stated = [_opposite(fact, exclusions) for fact in stated]
+    ways = [list(stated)]
+    for clause in clauses:
+        for deeds in clause.deeds or (((),) if clause.made else ()):
+            options = _options(deeds, clause.made, named, state, lexicon, exclusions)
+            if not options:
+                continue
+            ways = [[*way, *more] for way, more in product(ways, options)]
+    ways = _agreeing(ways, stated)
+    odd = [word for clause in clauses for word in clause.odd]
+    unread = [c.words for c in clauses if not (c.facts or c.deeds or c.made)]
+    return _report(text, ways, odd + unread, lexicon, state, exclusions)
+
+
+def chosen(report: Report, choice: Choice, lexicon: Lexicon) -> Report:
+    """A report with the question answered."""
+    english = said_back(choice.facts, lexicon)
+    return replace(
+        report, status=Status.OK, facts=choice.facts, english=english, question=None, choices=()
+    )
+
+
+def said_back(facts: Settled, lexicon: Lexicon) -> str:
+    """Facts in words, those that follow behind."""
+    text = in_words(facts.said, lexicon)
+    gained = [each for each in facts.implied if each[1]]
+    lost = [each for each in facts.implied if not each[1]]
+    follows = in_words([*gained, *lost][:MOST_IMPLIED], lexicon)
+    more = len(facts.implied) - MOST_IMPLIED
+    tail = f" and {more} more such facts" if more > 0 else ""
+    return f"{text}; so {follows}{tail}" if follows else text
+
+
+def in_words(literals: Iterable[Literal], lexicon: Lexicon) -> str:
+    """Literals as one small sentence."""
+    true = [atom for atom, holds in literals if holds]
+    false = [atom for atom, holds in literals if not holds]
+    parts = [each.text for each in facts_together(lexicon, true, most=12)]
+    parts += [each.text for each in facts_together(lexicon, false, negative=True, most=12)]
+    return listed(parts)
+
+
+# -- refusals ----------------------------------------------------------------------------------
+
+
+def _unspeakable(text: str) -> str | None:
+    if not text.strip():
+        return "Nothing is said."
+    if len(text) > LONGEST:
+        return f"That is too long: a report has {LONGEST} characters at most."
+    return None
+
+
+def _refusal(text: str, clauses: Sequence[Told], lexicon: Lexicon) -> str | None:
+    kind = question_of(text, lexicon).kind
+    if text.rstrip().endswith("?"):
+        return "That is a question, and no report: `plainspoken ask` answers it."
+    understood_something = any(c.facts or c.deeds or c.made for c in clauses)
+    if kind is Kind.COMMAND and not any(c.facts for c in clauses):
+        return "That asks for something, and reports nothing: `plainspoken missions change` does."
+    if unsure(text):
+        return "You do not seem sure of that. Say only what you know."
+    if ahead(text):
+        return "That is yet to come. Say it once it is so."
+    if not understood_something:
+        return "That speaks of nothing that I keep track of."
+    trouble = next((c.trouble for c in clauses if c.trouble), None)
+    return f"{trouble[0].upper()}{trouble[1:]}: say what is so now." if trouble else None
+
+
+# -- what is meant -----------------------------------------------------------------------------
+
+_OPPOSITE = ("un", "in", "im", "dis", "not-", "non-")
+
+
+def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
+    """That a grape is not ripe says that it is unripe, where that is one of what it can be."""
+    atom, holds = fact
+    if holds:
+        return fact
+    predicate, *arguments = atom.split()
+    for other in exclusions.group(atom):
+        word, *same = other.split()
+        opposite = any(
+            word == f"{prefix}{predicate}" or predicate == f"{prefix}{word}"
+            for prefix in _OPPOSITE
+        )
+        if same == arguments and opposite:
+            return other, True
+    # Of two that exclude each other and have no third, one is so where the other is not.
+    group = [each for each in exclusions.group(atom) if each != atom]
+    pair = [each for each in group if each.split()[1:] == arguments]
+    return (pair[0], True) if len(group) == 1 and pair else fact
+
+
+def _options(
+    deeds: Sequence[Deed],
+    made: Sequence[Literal],
+    named: frozenset[str],
+    state: State,
+    lexicon: Lexicon,
+    exclusions: Exclusions,
+) -> list[tuple[Literal, ...]]:
+    """The facts that a deed may have made so."""
+    found: dict[tuple[Literal, ...], None] = {}
+    objects = deeds[0].objects if deeds else None
+    own = [m for m in made if objects is None or set(m[0].split()[1:]) <= set(objects)]
+    for deed in deeds:
+        for each in accomplished(deed, named, state, lexicon, exclusions):
+            found.update(dict.fromkeys(_with_verb(each, own)))
+    if own and not any(set(own) <= set(each) for each in found):
+        return [tuple(own)]
+    return list(found)
+
+
+def _with_verb(outcomes: Outcomes, made: Sequence[Literal]) -> Outcomes:
+    """The outcomes in which what the verb says has come about: who cooked it has it cooked."""
+    fitting = tuple(each for each in outcomes if set(made) & set(each))
+    return fitting or outcomes
+
+
+def _agreeing(ways: list[list[Literal]], stated: Sequence[Literal]) -> list[list[Literal]]:
+    """The ways that do not deny what is stated; those that say it too, if any do."""
+    denied = {(atom, not holds) for atom, holds in stated}
+    kept = [way for way in ways if not denied & set(way)] or ways
+    count = len(stated)
+    saying = [way for way in kept if set(way[count:]) & set(stated)]
+    return saying or kept
+
+
+def _report(
+    text: str,
+    ways: list[list[Literal]],
+    odd: Sequence[str],
+    lexicon: Lexicon,
+    state: State,
+    exclusions: Exclusions,
+) -> Report:
+    """One way is the report, several are a question, none is a refusal."""
+    endings = {
+        tuple(dict.fromkeys(way)): settled(way, state, exclusions) for way in ways if way
+    }
+    if not endings:
+        return Report(
+            text, Status.REJECT, reason="That is clear, but I cannot tell what has come of it."
+        )
+    good = [each for each in endings.values() if isinstance(each, Settled)]
+    if len(endings) == 1:
+        (only,) = endings.values()
+        match only:
+            case Clash(one, other):
+                return Report(text, Status.REJECT, reason=_clash_words(one, other, lexicon))
+            case Open(gone, candidates):
+                (said,) = endings
+                return _which(text, said, gone, candidates, lexicon, state, exclusions)
+            case Settled():
+                good = [only]
+    if not good:
+        return Report(text, Status.REJECT, reason="That cannot be, whichever way it is meant.")
+    if len(good) > MOST_CHOICES:
+        return Report(
+            text, Status.CLARIFY, question="That may mean many things. Say of what it is so."
+        )
+    if len(good) > 1:
+        shared = set.intersection(*(set(each.said) for each in good))
+        choices = tuple(
+            Choice(_own_words(each, shared, good, lexicon), each) for each in good
+        )
+        return Report(text, Status.CLARIFY, question="How did it turn out?", choices=choices)
+    english = said_back(good[0], lexicon)
+    if odd:
+        question = f'Do you mean: "{english}"?'
+        return Report(text, Status.CLARIFY, question=question, choices=(Choice("yes", good[0]),))
+    return Report(text, Status.OK, good[0], english)
+
+
+def _own_words(
+    facts: Settled, shared: set[Literal], others: Sequence[Settled], lexicon: Lexicon
+) -> str:
+    """What tells one way from the others."""
+    own = [each for each in facts.said if each not in shared]
+    if own:
+        return in_words(own, lexicon)
+    foreign = {each for other in others for each in other.said} - set(facts.said)
+    return in_words([(atom, not holds) for atom, holds in sorted(foreign)], lexicon)
+
+
+def _which(
+    text: str,
+    said: Sequence[Literal],
+    gone: GroundAtom,
+    candidates: Sequence[GroundAtom],
+    lexicon: Lexicon,
+    state: State,
+    exclusions: Exclusions,
+) -> Report:
+    """A question what is so instead of what is not so any more."""
+    choices = []
+    for each in candidates:
+        ending = settled([*said, (each, True)], state, exclusions)
+        if isinstance(ending, Settled):
+            choices.append(Choice(in_words([(each, True)], lexicon), ending))
+    lost = in_words([(gone, False)], lexicon)
+    question = f"Then {lost}. What is so instead?"
+    return Report(text, Status.CLARIFY, question=question, choices=tuple(choices[:MOST_CHOICES]))
+
+
+def _clash_words(one: Literal, other: Literal, lexicon: Lexicon) -> str:
+    if one == other:
+        never = "can never be so here" if one[1] else "is always so here"
+        return f"That {in_words([(one[0], True)], lexicon)} {never}."
+    return (
+        f"That cannot be: {in_words([one], lexicon)}, and {in_words([other], lexicon)}, "
+        "are never so together."
+    )
