@@ -7,7 +7,7 @@ section 5.2 (h^2), forwards and with negated atoms as atoms of their own.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -240,7 +240,3 @@ class Exclusions:
                 return ones(add)
         return None
 
-
-def without(literals: Iterable[Literal], atoms: Collection[GroundAtom]) -> tuple[Literal, ...]:
-    """Some literals without those of certain atoms."""
-    return tuple(each for each in literals if each[0] not in atoms)

@@ -100,7 +100,7 @@ def _outcomes(
     action: str, named: frozenset[str], state: State, lexicon: Lexicon, exclusions: Exclusions
 ) -> Outcomes:
     every = [_literals(*change) for change in outcomes(lexicon.problem, state, action)]
-    kept = tuple(tuple(_own(each, named, lexicon, exclusions)) for each in every)
+    kept = tuple(tuple(_own(each, named, state, lexicon, exclusions)) for each in every)
     # What is only ever done to a robot was done to it: "I charged the battery".
     return tuple(dict.fromkeys(kept if any(kept) else map(tuple, every)))
 
@@ -113,16 +113,30 @@ def _literals(added: frozenset[GroundAtom], deleted: frozenset[GroundAtom]) -> l
 
 
 def _own(
-    literals: Iterable[Literal], named: frozenset[str], lexicon: Lexicon, exclusions: Exclusions
+    literals: Iterable[Literal],
+    named: frozenset[str],
+    state: State,
+    lexicon: Lexicon,
+    exclusions: Exclusions,
 ) -> Iterator[Literal]:
     """What a deed did by itself, not through the robot's being there or having its hand free."""
     literals = list(literals)
-    robots = [
-        each
-        for each in literals
-        if any(is_robot(name, lexicon) and name not in named for name in each[0].split()[1:])
-    ]
+    robots: list[Literal] = []
+    alone: list[Literal] = []
     for each in literals:
-        hangs = any(exclusions.exclude(each, (atom, not holds)) for atom, holds in robots)
+        names = each[0].split()[1:]
+        strange = [is_robot(name, lexicon) and name not in named for name in names]
+        if any(strange):
+            robots.append(each)
+        if names and all(strange):
+            alone.append(each)
+    for each in literals:
+        # In its hand is what makes the robot's hand not empty any more.
+        hangs = any(exclusions.exclude(each, (atom, not holds)) for atom, holds in alone)
         if each not in robots and not (each[1] and hangs):
             yield each
+    for atom, holds in alone:
+        # Whoever takes the grape out of its hand leaves the hand empty.
+        group = exclusions.group(atom) if holds else ()
+        if any((each, False) in literals and each in state for each in group):
+            yield atom, True

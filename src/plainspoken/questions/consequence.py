@@ -7,7 +7,7 @@ any more. The rules are found by `planning.exclusion`, not guessed from words.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -53,6 +53,7 @@ def settled(
     told = tuple(dict.fromkeys(said))
     facts: dict[GroundAtom, bool] = {}
     because: dict[GroundAtom, Literal] = {}
+    alone: set[GroundAtom] = set()
     todo = [(literal, literal) for literal in told]
     while True:
         while todo:
@@ -63,28 +64,43 @@ def settled(
             if facts.setdefault(atom, holds) != holds:
                 return Clash(because[atom], reason)
             because.setdefault(atom, reason)
-            todo += [
-                (each, reason) for each in exclusions.implied(literal) if each[0] not in facts
-            ]
-            clash = next(
-                (each for each in exclusions.implied(literal) if facts.get(each[0], each[1]) != each[1]),
-                None,
-            )
-            if clash is not None:
-                return Clash(because[clash[0]], reason)
+            for each in _implied(literal, reason, exclusions):
+                if facts.get(each[0], each[1]) != each[1]:
+                    return Clash(because[each[0]], reason)
+                if each[0] not in facts and each[0] not in alone:
+                    todo.append((each, reason))
         empty = _emptied(facts, state, exclusions)
         if empty is None:
             break
         gone, candidates = empty
-        if len(candidates) != 1:
+        if len(candidates) == 1:
+            todo = [((candidates[0], True), because[gone])]
+        elif (gone, False) in told:
             return Open(gone, candidates)
-        todo = [((candidates[0], True), because[gone])]
+        else:
+            del facts[gone]  # Nobody said so, and what would be so instead is not known.
+            alone.add(gone)
     implied = tuple(
         (atom, holds)
         for atom, holds in facts.items()
         if (atom, holds) not in told and (atom in state) != holds
     )
     return Settled(told, implied)
+
+
+def _implied(literal: Literal, reason: Literal, exclusions: Exclusions) -> list[Literal]:
+    """What follows for the things that was spoken of, and for what takes a fact's place.
+
+    A line that is cleared had its grapes looked at; but who clears it by hand tells nothing of
+    grapes.
+    """
+    things = set(reason[0].split()[1:])
+    group = exclusions.group(literal[0])
+    return [
+        each
+        for each in exclusions.implied(literal)
+        if things & set(each[0].split()[1:]) or each[0] in group
+    ]
 
 
 def _emptied(
@@ -97,22 +113,8 @@ def _emptied(
         group = exclusions.group(atom)
         if not group or any(facts.get(each, each in state) for each in group):
             continue
-        able = [each for each in group if each not in facts]
-        kept = [each for each in able if _fits(each, facts, state, group, exclusions)]
-        return atom, tuple(kept or able)
+        return atom, tuple(each for each in group if each not in facts)
     return None
-
-
-def _fits(
-    atom: GroundAtom,
-    facts: dict[GroundAtom, bool],
-    state: State,
-    group: Collection[GroundAtom],
-    exclusions: Exclusions,
-) -> bool:
-    """Whether an atom goes with everything else that is so."""
-    known = (each for each in state if each not in facts and each not in group)
-    return not any(exclusions.exclude((atom, True), (each, True)) for each in known)
 
 
 @lru_cache(maxsize=8)

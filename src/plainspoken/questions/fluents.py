@@ -99,13 +99,16 @@ class ReadClause:
     time: Time
 
 
-def clauses_in(text: str, lexicon: Lexicon) -> Iterator[ReadClause]:
-    """The clauses of a text, each with what it states."""
+def clauses_in(text: str, lexicon: Lexicon, *, marked: bool = False) -> Iterator[ReadClause]:
+    """The clauses of a text, each with what it states.
+
+    marked: whether the text is spelled out, and its objects are marked, already
+    """
     known = concordance_of(lexicon)
     before = _Clause()
     for sentence in re.split(r"(?<=[\w)>])[.!?;:]+(?:\s+|$)", text.strip()):
         before = _Clause(before.subject)  # Which "it" may still mean.
-        for words in _clauses(known.mark(_spelled(sentence))):
+        for words in _clauses(sentence if marked else known.mark(_spelled(sentence))):
             clause = _parsed(words, before, known)
             fluents = tuple(_fluents(clause, known))
             yield ReadClause(words, fluents, clause.subject, clause.time)

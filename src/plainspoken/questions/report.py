@@ -16,6 +16,7 @@ from plainspoken.language.extracted import Status
 from plainspoken.language.refusal import LONGEST
 from plainspoken.planning.exclusion import Exclusions, Literal
 from plainspoken.questions.accomplishment import Deed, Outcomes, accomplished
+from plainspoken.questions.concordance import opposites
 from plainspoken.questions.consequence import Clash, Open, Settled, exclusions_of, settled
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.lexicon import Lexicon
@@ -146,11 +147,11 @@ def _unspeakable(text: str) -> str | None:
 
 
 def _refusal(text: str, clauses: Sequence[Told], lexicon: Lexicon) -> str | None:
-    kind = question_of(text, lexicon).kind
     if text.rstrip().endswith("?"):
         return "That is a question, and no report: `plainspoken ask` answers it."
     understood_something = any(c.facts or c.deeds or c.made for c in clauses)
-    if kind is Kind.COMMAND and not any(c.facts for c in clauses):
+    surely = any((c.facts and not c.loose) or c.deeds or c.made for c in clauses)
+    if not surely and question_of(text, lexicon).kind is Kind.COMMAND:
         return "That asks for something, and reports nothing: `plainspoken missions change` does."
     if unsure(text):
         return "You do not seem sure of that. Say only what you know."
@@ -164,9 +165,6 @@ def _refusal(text: str, clauses: Sequence[Told], lexicon: Lexicon) -> str | None
 
 # -- what is meant -----------------------------------------------------------------------------
 
-_OPPOSITE = ("un", "in", "im", "dis", "not-", "non-")
-
-
 def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
     """That a grape is not ripe says that it is unripe, where that is one of what it can be."""
     atom, holds = fact
@@ -175,16 +173,9 @@ def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
     predicate, *arguments = atom.split()
     for other in exclusions.group(atom):
         word, *same = other.split()
-        opposite = any(
-            word == f"{prefix}{predicate}" or predicate == f"{prefix}{word}"
-            for prefix in _OPPOSITE
-        )
-        if same == arguments and opposite:
+        if same == arguments and word in opposites(predicate):
             return other, True
-    # Of two that exclude each other and have no third, one is so where the other is not.
-    group = [each for each in exclusions.group(atom) if each != atom]
-    pair = [each for each in group if each.split()[1:] == arguments]
-    return (pair[0], True) if len(group) == 1 and pair else fact
+    return fact
 
 
 def _options(

@@ -10,17 +10,24 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 
+from plainspoken.language.grounding import Vocabulary
+from plainspoken.language.lexicon import Kind
+from plainspoken.language.sentence import Sentence
 from plainspoken.planning.exclusion import Literal
 from plainspoken.questions.accomplishment import Deed
 from plainspoken.questions.concordance import concordance_of
 from plainspoken.questions.fluents import ReadClause, Time, clauses_in
+from plainspoken.questions.identity import ById
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.morphology import lemma, participle, past
 from plainspoken.questions.referent import MOTION, Referents, referents_of
 from plainspoken.questions.spelling import normal
 from plainspoken.world.domain import GroundAtom
+from plainspoken.world.landmark import LandmarkType
+from plainspoken.world.symbol import AtomSymbol, resolve
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +38,7 @@ class Told:
     deeds:   what it says was done, as the actions that may be meant
     made:    facts that the verb of a deed names: `washed` of to wash
     odd:     words that nothing was made of
+    loose:   whether the landmarks' words alone say so, which orders are made of, too
     trouble: why it cannot be taken for a fact that is so now
     """
 
@@ -39,6 +47,7 @@ class Told:
     deeds: tuple[tuple[Deed, ...], ...] = ()
     made: tuple[Literal, ...] = ()
     odd: tuple[str, ...] = ()
+    loose: bool = False
     trouble: str | None = None
 
 
@@ -65,6 +74,7 @@ _RESULT = re.compile(
     r"|\bprove[ds]?(?: to be)?\b|\b(?:has |have )?(?:got|gotten|gone|went|stayed|remained|became)\b"
 )
 """Verbs that say what has become of a thing: it is so now."""
+_ASIDE = re.compile(r"\b(?:after all|any longer|for sure|as of now|once again|at last|of course)\b")
 _UNSURE = re.compile(
     r"\b(?:maybe|perhaps|probably|possibly|might|may|could|would|i (?:think|guess|believe|suppose"
     r"|hope|doubt)|not sure|unsure|i wonder|if|unless|almost|nearly|likely|seems?|apparently)\b"
@@ -87,16 +97,47 @@ _LITTLE = frozenset(
 
 def told(text: str, lexicon: Lexicon) -> tuple[Told, ...]:
     """The clauses of a report."""
-    swapped = _OPENING.sub("", text.strip().replace("\u2019", "'"))
-    swapped = re.sub(r"(?<=\w)['](?=s (?!own))", "'", swapped)
-    swapped = _swapped(swapped)
-    found: list[Told] = []
-    before: tuple[str, ...] = ()
-    for clause in clauses_in(swapped, lexicon):
-        one = _read(clause, before, lexicon)
-        before = _marks(clause.words) or before
-        found.append(one)
-    return tuple(found)
+    rest = _OPENING.sub("", text.strip().replace("\u2019", "'"))
+    known = concordance_of(lexicon)
+    marked = re.sub(r"\bboth (?=<)", "", known.mark(_swapped(rest)))
+    # "Its battery" is the battery; "its state" is the state of what was spoken of.
+    readings = [
+        tuple(_clauses(_without_pronouns(marked, its), lexicon))
+        for its in (r"\1 of <{}>", r"\1")
+    ]
+    return min(readings, key=lambda found: sum(map(_is_unread, found)))
+
+
+def _is_unread(clause: Told) -> bool:
+    return not (clause.facts or clause.deeds or clause.made)
+
+
+def _clauses(marked: str, lexicon: Lexicon) -> Iterator[Told]:
+    before = ""
+    for clause in clauses_in(marked, lexicon, marked=True):
+        one = _read(clause, lexicon)
+        if _is_unread(one) and before and "<" not in clause.words:
+            (again, *_) = clauses_in(f"<{before}> is {clause.words}", lexicon, marked=True)
+            one = _read(again, lexicon)  # "I tested it: negative"
+        before = next(iter(_marks(clause.words)), before)
+        yield one
+
+
+_PIECE = re.compile(r"([,.;:!?]+\s|\b(?:and|but|so|because)\b)")
+
+
+def _without_pronouns(marked: str, its: str) -> str:
+    """A text with the thing that was spoken of first, in the clause before, for `it` and `its`."""
+    parts, before = [], ""
+    for piece in _PIECE.split(marked):
+        own = next(iter(_marks(piece)), "")
+        if before:
+            piece = re.sub(r"\bits (\w+)", its.format(before), piece)
+            if not own:
+                piece = re.sub(r"\b(?:it|they|them|this one)\b", f"<{before}>", piece)
+        before = own or before
+        parts.append(piece)
+    return "".join(parts)
 
 
 def unsure(text: str) -> bool:
@@ -119,7 +160,7 @@ def _swapped(text: str) -> str:
         plain = normal(part)
         for pattern, instead in _SWAPS:
             plain = re.sub(pattern, instead, plain)
-        parts.append(_RESULT.sub("is", plain))
+        parts.append(_RESULT.sub("becomes", _ASIDE.sub("", plain)))
     return "".join(parts)
 
 
@@ -127,18 +168,96 @@ def _marks(words: str) -> tuple[str, ...]:
     return tuple(re.findall(r"<([^>]+)>", words))
 
 
-def _read(clause: ReadClause, before: tuple[str, ...], lexicon: Lexicon) -> Told:
-    """A clause as facts where it states some, else as a deed."""
-    facts = tuple((fluent.atom, fluent.holds) for fluent in clause.fluents)
-    if facts and not clause.words.startswith(_PERSON):
-        past_state = clause.time in (Time.WAS, Time.START) and not _is_passive(clause.words)
-        trouble = "that was so, and may be otherwise now" if past_state else None
-        return Told(clause.words, facts, trouble=trouble)
-    words = clause.words
-    if before and not _marks(words):
-        words = re.sub(r"\b(?:it|them|that|this one|they)\b", f"<{before[-1]}>", words)
-    deed = _deed(words, lexicon)
-    return deed or Told(clause.words)
+def _read(clause: ReadClause, lexicon: Lexicon) -> Told:
+    """A clause as facts where it states some, else as a deed, else by the landmarks' words."""
+    if not clause.words.startswith(_PERSON):
+        facts = _facts(clause)
+        if facts:
+            past_state = clause.time in (Time.WAS, Time.START) and not _is_passive(clause.words)
+            trouble = "that was so, and may be otherwise now" if past_state else None
+            return Told(clause.words, facts, trouble=trouble)
+    return (
+        _deed(clause.words, lexicon)
+        or _made_so(clause.words, lexicon)
+        or _loosely(clause.words, lexicon)
+        or _by_landmarks(clause.words, lexicon)
+        or Told(clause.words)
+    )
+
+
+def _facts(clause: ReadClause) -> tuple[Literal, ...]:
+    return tuple((fluent.atom, fluent.holds) for fluent in clause.fluents)
+
+
+_MAKING = frozenset(
+    {"put", "set", "place", "lay", "leave", "get", "make", "keep", "take", "bring", "move"}
+    | {"carry", "push", "drop", "store", "load"}
+)
+"""Verbs after which a thing is as, or where, the rest of the clause says."""
+
+
+def _made_so(words: str, lexicon: Lexicon) -> Told | None:
+    """`Somebody put <a> on the floor`: <a> is on the floor."""
+    tokens = words.split()
+    for index, token in enumerate(tokens[:-1]):
+        if lemma(token) in _MAKING:
+            thing, *rest = [word for word in tokens[index + 1 :] if word not in _ARTICLES]
+            if not thing.startswith("<") or not rest:
+                return None
+            rest = ["at" if rest[0] in ("to", "into", "onto") else rest[0], *rest[1:]]
+            return _again(words, f"{thing} is {' '.join(rest)}", lexicon)
+    return None
+
+
+_ARTICLES = frozenset({"the", "a", "an"})
+
+
+def _loosely(words: str, lexicon: Lexicon) -> Told | None:
+    """`The lights are on in <a>` said as `the lights of <a> are on`."""
+    found = re.fullmatch(r"(.+?) (is|are|becomes) (.+?) (?:in|at|on|of) (?:the )?(<[^>]+>)", words)
+    if found is None:
+        return None
+    subject, verb, rest, place = found.groups()
+    return _again(words, f"{subject} of {place} {verb} {rest}", lexicon)
+
+
+def _again(words: str, said: str, lexicon: Lexicon) -> Told | None:
+    """A clause read in other words."""
+    facts = tuple(fact for each in clauses_in(said, lexicon, marked=True) for fact in _facts(each))
+    return Told(words, facts) if facts else None
+
+
+def _by_landmarks(words: str, lexicon: Lexicon) -> Told | None:
+    """A clause by what the landmarks call the facts."""
+    sentence = Sentence.of(_unmarked(words, lexicon), _vocabulary(ById(lexicon)))
+    facts: dict[Literal, None] = {}
+    for each in sentence.references:
+        symbol = resolve(each.symbol, lexicon.problem)
+        if each.rivals or not isinstance(symbol, AtomSymbol):
+            return None
+        if lexicon.landmarks[each.symbol].type is not LandmarkType.CONDITION:
+            return None
+        said = sentence.text(each.first, each.last).lower()
+        own = any(re.search(_DENIAL, name) for name in lexicon.landmarks[each.symbol].phrases)
+        negated = each.negated and not (own and re.search(_DENIAL, said))
+        facts[symbol.atom, not negated] = None
+    if not facts:
+        return None
+    odd = [
+        sentence.text(item.first, item.last)
+        for item in sentence.items
+        if item.kind in (Kind.UNKNOWN, Kind.NOT, Kind.MAY)
+    ]
+    strange = tuple(word for word in odd if word.lower() not in _LITTLE)
+    return Told(words, tuple(facts), odd=strange, loose=True)
+
+
+_DENIAL = r"\b(?:not|cannot|can't|no|nothing)\b"
+
+
+@lru_cache(maxsize=8)
+def _vocabulary(lexicon: ById[Lexicon]) -> Vocabulary:
+    return Vocabulary.of(lexicon.value.landmarks)
 
 
 def _is_passive(words: str) -> bool:
@@ -156,7 +275,7 @@ def _deed(words: str, lexicon: Lexicon) -> Told | None:
     negative = re.search(r"\b(?:not|never|nobody|none)\b", words) is not None
     slots = [mark.split("+") for mark in _marks(words)]
     known = concordance_of(lexicon)
-    by_person = words.startswith(_PERSON) or not re.match(r"i\b|<", words)
+    by_person = not re.match(r"i\b|<", words)
     if base in MOTION and by_person and len(slots) < 2:
         return None  # Where people are is kept nowhere.
     deeds: list[tuple[Deed, ...]] = []
@@ -227,7 +346,7 @@ def _verb(words: str, referents: Referents, lexicon: Lexicon) -> tuple[str, list
         known = base in referents.verbs or participle(base) in named or past(base) in named
         carries = base in {"take", "bring", "put", "carry", "move", "push", "place"}
         if (known or carries) and token not in _LITTLE and (token != base or index):
-            return base, tokens[:index] + tokens[index + 1 :]
+            return base, tokens[index + 1 :]
     return None
 
 
