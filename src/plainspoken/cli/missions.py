@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -13,22 +12,21 @@ import click
 from rich.console import Console
 from rich.table import Table
 
+from plainspoken.cli.asked import ask, askable, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.record import fresh_file
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
-from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.mailbox import Asked, to_message
+from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
-from plainspoken.work.asking import Reply, ask_of
 from plainspoken.work.shift import Shift, robots_of
-from plainspoken.world.event import Entry, MissionAccepted
+from plainspoken.world.event import Entry
 
 BY = "command line"
 
@@ -94,17 +92,17 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
     with ExitStack() as stack:
         kept = stack.enter_context(open_store(store))
         entries = entries_in(kept, id)
-        accepted = _askable(entries)
+        accepted = askable(entries)
         asked = ResumeAsked(BY)
         if kept.place(id) is None:
             kept.enlist(id, robots_of(accepted))
         if detach:
-            _tell(_ask(kept, id, asked), "resumed")
+            tell(ask(kept, id, asked), "resumed")
             return
         shift = stack.enter_context(Shift(kept))
         held = shift.take(id)
         if held is None:
-            _tell(_ask(kept, id, asked), "resumed")
+            tell(ask(kept, id, asked), "resumed")
             return
         kept.post(id, to_message(asked))
         site = site_of(accepted)
@@ -119,7 +117,7 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
 def pause(id: str, store: str | None) -> None:
     """Have the mission ID start no further action; one under way comes to its end."""
     with open_store(store) as kept:
-        _tell(_ask(kept, id, PauseAsked(BY)), "paused")
+        tell(ask(kept, id, PauseAsked(BY)), "paused")
 
 
 @missions.command()
@@ -128,43 +126,7 @@ def pause(id: str, store: str | None) -> None:
 def cancel(id: str, store: str | None) -> None:
     """Give the mission ID up; an action under way is cancelled if the robot can."""
     with open_store(store) as kept:
-        _tell(_ask(kept, id, CancelAsked(BY)), "cancelled")
-
-
-def _ask(kept: Store, id: str, asked: Asked) -> Reply:
-    entries = entries_in(kept, id)
-    return ask_of(kept, id, asked, robots_of(_askable(entries)))
-
-
-def _tell(reply: Reply, done: str) -> None:
-    """Say what became of a request; exit with 3 where nobody has heard it yet."""
-    goal = reply.mission.in_flight
-    if not reply.heard:
-        click.echo(f"asked; {reply.worker or 'whoever takes it up'} has not answered yet", err=True)
-        sys.exit(NO)
-    text = done if goal is None else f"{done}; {goal.action} is under way"
-    if reply.worker is None and not (reply.mission.is_over or reply.mission.is_at_rest):
-        text += ", and nobody carries the mission out: start a worker with `plainspoken work`"
-    click.echo(text)
-
-
-def _askable(entries: Sequence[Entry]) -> MissionAccepted:
-    """How a mission began of which something can be asked.
-
-    raises PlainspokenError: when it is over, or an action of another one
-    """
-    accepted = accepted_of(entries)
-    if mission_from(entries).is_over:
-        raise PlainspokenError(
-            f"the mission {accepted.mission} is over", hint="`plainspoken ask` tells of it"
-        )
-    whole = accepted.robot.get("part_of")
-    if whole is not None:
-        raise PlainspokenError(
-            f"the mission {accepted.mission} is an action of another one",
-            hint=f"plainspoken missions {click.get_current_context().info_name} {whole}",
-        )
-    return accepted
+        tell(ask(kept, id, CancelAsked(BY)), "cancelled")
 
 
 @missions.command()

@@ -18,16 +18,16 @@ from plainspoken.world.domain import GroundAtom, Problem, State
 
 @dataclass(frozen=True, slots=True)
 class Settled:
-    """Everything that is different afterwards; `implied` is the part that was not said."""
+    """What is so afterwards.
+
+    said:    what was said
+    implied: what is different because of it
+    whole:   all that is known to be so: the state may change before the report is heard
+    """
 
     said: tuple[Literal, ...]
     implied: tuple[Literal, ...]
-
-    def after(self, state: State) -> State:
-        """A state with all of it."""
-        literals = (*self.said, *self.implied)
-        added = {atom for atom, holds in literals if holds}
-        return (state - {atom for atom, holds in literals if not holds}) | added
+    whole: tuple[Literal, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ def settled(
         for atom, holds in facts.items()
         if (atom, holds) not in told and (atom in state) != holds
     )
-    return Settled(told, implied)
+    return Settled(told, implied, tuple(facts.items()))
 
 
 def _implied(literal: Literal, reason: Literal, exclusions: Exclusions) -> list[Literal]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import Any
 
 from plainspoken.language.extracted import Status
 from plainspoken.language.refusal import LONGEST
@@ -69,11 +70,29 @@ class Report:
     def deleted(self) -> frozenset[GroundAtom]:
         return self._changed(holds=False)
 
+    def to_json(self) -> dict[str, Any]:
+        """What `report --json` prints, without what became of it."""
+
+        def texts(literals: Iterable[Literal]) -> list[str]:
+            return [atom if holds else f"not {atom}" for atom, holds in literals]
+
+        return {
+            "text": self.text,
+            "status": str(self.status),
+            "facts": texts(self.said),
+            "implied": texts(self.facts.implied if self.facts else ()),
+            "english": self.english or None,
+            "question": self.question,
+            "choices": [
+                {"answer": each.answer, "facts": texts(each.facts.said)} for each in self.choices
+            ],
+            "reason": self.reason,
+        }
+
     def _changed(self, *, holds: bool) -> frozenset[GroundAtom]:
         if self.facts is None:
             return frozenset()
-        literals = (*self.facts.said, *self.facts.implied)
-        return frozenset(atom for atom, so in literals if so == holds)
+        return frozenset(atom for atom, so in self.facts.whole if so == holds)
 
 
 def understood(text: str, lexicon: Lexicon, state: State) -> Report:
@@ -107,7 +126,7 @@ def understood(text: str, lexicon: Lexicon, state: State) -> Report:
     return _report(text, ways, odd + unread, lexicon, state, exclusions)
 
 
-def chosen(report: Report, choice: Choice, lexicon: Lexicon) -> Report:
+def settled_on(report: Report, choice: Choice, lexicon: Lexicon) -> Report:
     """A report with the question answered."""
     english = said_back(choice.facts, lexicon)
     return replace(
