@@ -38,7 +38,7 @@ _json = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @_json
 @click.pass_context
 def missions(context: click.Context, store: str | None, *, as_json: bool) -> None:
-    """List the missions in a store; pause, resume or cancel one; write its log to a file.
+    """List the missions in a store; pause, resume, cancel or change one; write its log to a file.
 
     What is asked of a mission reaches it wherever it is carried out.
     """
@@ -127,6 +127,63 @@ def cancel(id: str, store: str | None) -> None:
     """Give the mission ID up; an action under way is cancelled if the robot can."""
     with open_store(store) as kept:
         tell(ask(kept, id, CancelAsked(BY)), "cancelled")
+
+
+@missions.command()
+@click.argument("id")
+@click.argument("text")
+@store_option
+@click.option("--by", metavar="NAME", help="Who wants it (default: you).")
+@click.option("--yes", is_flag=True, help="Take what is understood for right, and ask nothing.")
+@click.option(
+    "--instead/--besides",
+    default=None,
+    help="Whether a whole new request takes the place of the old one, or comes beside it.",
+)
+@click.option(
+    "--otherwise",
+    type=click.Choice(("go-on", "pause", "cancel")),
+    default="go-on",
+    show_default=True,
+    help="What to do where there is no plan for it.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print what was understood as JSON.")
+def change(
+    id: str,
+    text: str,
+    store: str | None,
+    by: str | None,
+    *,
+    yes: bool,
+    instead: bool | None,
+    otherwise: str,
+    as_json: bool,
+) -> None:
+    """Change your mind about the mission ID: TEXT, in plain words.
+
+    What it comes to, with what is left of the mission, is said back, and planned once you agree.
+    The mission goes over to it where nothing is under way. Where there is no plan for it, it goes
+    on as before, unless --otherwise says something else. Exit status 3 where nothing is changed.
+
+    \b
+    plainspoken missions change ID "skip line 3"
+    plainspoken missions change ID "first go to the warehouse"
+    plainspoken missions change ID "stop after this grape" --yes
+    plainspoken missions change ID "Call the support robot" --besides
+    """
+    from plainspoken.cli.change import changed
+
+    with open_store(store) as kept:
+        changed(
+            kept,
+            id,
+            text,
+            by,
+            yes=yes,
+            instead=instead,
+            otherwise=otherwise,
+            as_json=as_json,
+        )
 
 
 @missions.command()
