@@ -16,8 +16,9 @@ from plainspoken.cli.store import entries_in
 from plainspoken.knowledge.store import Store
 from plainspoken.language.extracted import Status
 from plainspoken.mission.mission import MissionId, mission_from
-from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked
+from plainspoken.mission.observation import CancelAsked, PauseAsked
 from plainspoken.questions.change import ChangeOfMind, wanted
+from plainspoken.questions.conversation import message_of
 from plainspoken.questions.moment import lexicon_of
 from plainspoken.work.shift import TICK
 from plainspoken.world.event import ChangeRefused, MissionEnded, RequestChanged, Step
@@ -56,7 +57,7 @@ def changed(
     if found.meant is None or (as_json and not yes):
         _refused(found, document, as_json=as_json)
     name = by or person()
-    reply = ask(kept, id, ChangeAsked(name, text, found.meant.clauses, found.meant.english))
+    reply = ask(kept, id, message_of(found, name))
     outcome, reason = "asked", None
     if reply.heard and reply.worker is not None:
         outcome, reason = _outcome(kept, id, text, len(entries))

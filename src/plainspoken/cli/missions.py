@@ -20,7 +20,6 @@ from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
-from plainspoken.knowledge.store import Store
 from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked

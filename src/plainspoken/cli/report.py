@@ -14,8 +14,8 @@ from plainspoken.cli.robots import person
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.language.extracted import Status
 from plainspoken.mission.mission import mission_from
-from plainspoken.mission.observation import Told
 from plainspoken.pipeline import accepted_of
+from plainspoken.questions.conversation import message_of
 from plainspoken.questions.moment import lexicon_of
 from plainspoken.questions.report import Report, settled_on, understood
 
@@ -63,10 +63,10 @@ def report(
             sys.exit(NO)
         if found.status is not Status.OK or (as_json and not yes):
             _refused(found, document, as_json=as_json)
-        told = Told(by or person(), text, found.added, found.deleted)
-        reply = ask(kept, now.id, told)
+        name = by or person()
+        reply = ask(kept, now.id, message_of(found, name))
     if as_json:
-        document |= {"heard": reply.heard, "by": told.reporter, "worker": reply.worker}
+        document |= {"heard": reply.heard, "by": name, "worker": reply.worker}
         click.echo(json.dumps(document, indent=2, ensure_ascii=False))
         sys.exit(0 if reply.heard else NO)
     tell(reply, f"noted: {found.english}")

@@ -239,4 +239,3 @@ class Exclusions:
             if gone & mask and not add & mask and self._before(rule, self._together):
                 return ones(add)
         return None
-

@@ -74,9 +74,7 @@ def _bindings(
             yield dict(zip(names, chosen, strict=True))
 
 
-def _met(
-    schema: Action, binding: Mapping[str, str], state: State, lexicon: Lexicon
-) -> int | None:
+def _met(schema: Action, binding: Mapping[str, str], state: State, lexicon: Lexicon) -> int | None:
     """How much of what an action needs is so; None where it can never be."""
     condition = schema.precondition
     parts = condition.conditions if isinstance(condition, AllOf) else (condition,)

@@ -72,9 +72,7 @@ class ChangeOfMind:
             "english": self.meant.english if self.meant else None,
             "clauses": [{"since": each.since, "goal": unparse(each.goal)} for each in clauses],
             "question": self.question,
-            "choices": [
-                {"answer": each.answer, "english": each.english} for each in self.choices
-            ],
+            "choices": [{"answer": each.answer, "english": each.english} for each in self.choices],
             "reason": self.reason,
         }
 
@@ -243,7 +241,9 @@ class _Mind:
         """Whether some words are names and nothing else."""
         rest = plain
         for words in sorted(
-            (each for name in things for each in self._lexicon.synonyms(name)), key=len, reverse=True
+            (each for name in things for each in self._lexicon.synonyms(name)),
+            key=len,
+            reverse=True,
         ):
             rest = re.sub(rf"(?<![\w-]){re.escape(words)}(?![\w-])", " ", rest)
         return not set(re.sub(r"\b\d+\b", " ", rest).split()) - {
@@ -371,9 +371,7 @@ class _Mind:
                     return name
         return None
 
-    def _ended(
-        self, text: str, kept: Sequence[_Left], last: Clause | None
-    ) -> ChangeOfMind:
+    def _ended(self, text: str, kept: Sequence[_Left], last: Clause | None) -> ChangeOfMind:
         clauses = tuple(each.clause for each in kept) + ((last,) if last else ())
         rules = [each.rest for each in kept if each.verdict is Verdict.HOLDS_SO_FAR]
         after = self._say(last.goal) if last else "The action under way is the last one."

@@ -184,6 +184,7 @@ def _refusal(text: str, clauses: Sequence[Told], lexicon: Lexicon) -> str | None
 
 # -- what is meant -----------------------------------------------------------------------------
 
+
 def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
     """That a grape is not ripe says that it is unripe, where that is one of what it can be."""
     atom, holds = fact
@@ -241,9 +242,7 @@ def _report(
     exclusions: Exclusions,
 ) -> Report:
     """One way is the report, several are a question, none is a refusal."""
-    endings = {
-        tuple(dict.fromkeys(way)): settled(way, state, exclusions) for way in ways if way
-    }
+    endings = {tuple(dict.fromkeys(way)): settled(way, state, exclusions) for way in ways if way}
     if not endings:
         return Report(
             text, Status.REJECT, reason="That is clear, but I cannot tell what has come of it."
@@ -267,9 +266,7 @@ def _report(
         )
     if len(good) > 1:
         shared = set.intersection(*(set(each.said) for each in good))
-        choices = tuple(
-            Choice(_own_words(each, shared, good, lexicon), each) for each in good
-        )
+        choices = tuple(Choice(_own_words(each, shared, good, lexicon), each) for each in good)
         return Report(text, Status.CLARIFY, question="How did it turn out?", choices=choices)
     english = said_back(good[0], lexicon)
     if odd:

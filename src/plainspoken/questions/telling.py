@@ -102,8 +102,7 @@ def told(text: str, lexicon: Lexicon) -> tuple[Told, ...]:
     marked = re.sub(r"\bboth (?=<)", "", known.mark(_swapped(rest)))
     # "Its battery" is the battery; "its state" is the state of what was spoken of.
     readings = [
-        tuple(_clauses(_without_pronouns(marked, its), lexicon))
-        for its in (r"\1 of <{}>", r"\1")
+        tuple(_clauses(_without_pronouns(marked, its), lexicon)) for its in (r"\1 of <{}>", r"\1")
     ]
     return min(readings, key=lambda found: sum(map(_is_unread, found)))
 
@@ -282,9 +281,7 @@ def _deed(words: str, lexicon: Lexicon) -> Told | None:
     made: list[Literal] = []
     for objects in product(*slots):
         actions = tuple(
-            Deed(name, objects)
-            for name in referents.actions
-            if _takes(name, objects, lexicon)
+            Deed(name, objects) for name in referents.actions if _takes(name, objects, lexicon)
         )
         made += [(atom, not negative) for atom in known.done(base, objects)]
         if not made:
