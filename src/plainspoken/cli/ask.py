@@ -96,7 +96,7 @@ def ask(
 
 def _talk(mission: str | None, store: str | None) -> None:
     """Answer line by line; tell the mission what was reported, or is to change, once agreed to."""
-    from plainspoken.cli.asked import ask as ask_of_mission
+    from plainspoken.cli.asked import put
     from plainspoken.cli.robots import person
     from plainspoken.questions.conversation import Conversation, message_of
 
@@ -109,7 +109,7 @@ def _talk(mission: str | None, store: str | None) -> None:
             said = conversation.say(line.strip(), Moment(kept.entries(id)))
             conversation = said.then
             if said.agreed is not None:
-                ask_of_mission(kept, id, message_of(said.agreed, person()))
+                put(kept, id, message_of(said.agreed, person()))
             click.echo(said.answer.text)
 
 

@@ -43,6 +43,7 @@ def mission_in(kept: Store, mission: str | None) -> Sequence[Entry]:
 
     raises PlainspokenError: when there is none
     """
+    entries: Sequence[Entry]
     if mission is None:
         for id in reversed(kept.missions()):
             entries = kept.entries(id)
@@ -58,7 +59,7 @@ def mission_in(kept: Store, mission: str | None) -> Sequence[Entry]:
     return entries
 
 
-def ask(kept: Store, id: str, asked: Asked) -> Reply:
+def put(kept: Store, id: str, asked: Asked) -> Reply:
     """Ask something of a mission, whoever carries it out."""
     entries = entries_in(kept, id)
     return ask_of(kept, id, asked, robots_of(askable(entries)))

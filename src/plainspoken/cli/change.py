@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from plainspoken.cli.asked import ask, askable, confirmed, picked
+from plainspoken.cli.asked import askable, confirmed, picked, put
 from plainspoken.cli.exit import NO
 from plainspoken.cli.robots import person
 from plainspoken.cli.store import entries_in
@@ -54,20 +54,22 @@ def changed(
     ):
         sys.exit(NO)
     document: dict[str, Any] = {"mission": id, "outcome": None, **found.to_json()}
-    if found.meant is None or (as_json and not yes):
+    meant = found.meant
+    if meant is None or (as_json and not yes):
         _refused(found, document, as_json=as_json)
+        return
     name = by or person()
-    reply = ask(kept, id, message_of(found, name))
+    reply = put(kept, id, message_of(found, name))
     outcome, reason = "asked", None
     if reply.heard and reply.worker is not None:
         outcome, reason = _outcome(kept, id, text, len(entries))
         if outcome == "refused" and otherwise != "go-on":
-            ask(kept, id, PauseAsked(name) if otherwise == "pause" else CancelAsked(name))
+            put(kept, id, PauseAsked(name) if otherwise == "pause" else CancelAsked(name))
     if as_json:
         document |= {"outcome": outcome, "reason": reason}
         click.echo(json.dumps(document, indent=2, ensure_ascii=False))
     elif outcome == "changed":
-        click.echo(f"from now on: {found.meant.english}")
+        click.echo(f"from now on: {meant.english}")
     elif outcome == "refused":
         then = {"go-on": "it goes on as before", "pause": "it is paused", "cancel": "cancelled"}
         click.echo(f"plainspoken: {reason}\nnothing is changed; {then[otherwise]}", err=True)

@@ -12,7 +12,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from plainspoken.cli.asked import ask, askable, tell
+from plainspoken.cli.asked import askable, put, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.record import fresh_file
@@ -96,12 +96,12 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
         if kept.place(id) is None:
             kept.enlist(id, robots_of(accepted))
         if detach:
-            tell(ask(kept, id, asked), "resumed")
+            tell(put(kept, id, asked), "resumed")
             return
         shift = stack.enter_context(Shift(kept))
         held = shift.take(id)
         if held is None:
-            tell(ask(kept, id, asked), "resumed")
+            tell(put(kept, id, asked), "resumed")
             return
         kept.post(id, to_message(asked))
         site = site_of(accepted)
@@ -116,7 +116,7 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
 def pause(id: str, store: str | None) -> None:
     """Have the mission ID start no further action; one under way comes to its end."""
     with open_store(store) as kept:
-        tell(ask(kept, id, PauseAsked(BY)), "paused")
+        tell(put(kept, id, PauseAsked(BY)), "paused")
 
 
 @missions.command()
@@ -125,7 +125,7 @@ def pause(id: str, store: str | None) -> None:
 def cancel(id: str, store: str | None) -> None:
     """Give the mission ID up; an action under way is cancelled if the robot can."""
     with open_store(store) as kept:
-        tell(ask(kept, id, CancelAsked(BY)), "cancelled")
+        tell(put(kept, id, CancelAsked(BY)), "cancelled")
 
 
 @missions.command()

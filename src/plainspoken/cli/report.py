@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from plainspoken.cli.asked import ask, confirmed, mission_in, picked, tell
+from plainspoken.cli.asked import confirmed, mission_in, picked, put, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.robots import person
 from plainspoken.cli.store import open_store, store_option
@@ -64,7 +64,7 @@ def report(
         if found.status is not Status.OK or (as_json and not yes):
             _refused(found, document, as_json=as_json)
         name = by or person()
-        reply = ask(kept, now.id, message_of(found, name))
+        reply = put(kept, now.id, message_of(found, name))
     if as_json:
         document |= {"heard": reply.heard, "by": name, "worker": reply.worker}
         click.echo(json.dumps(document, indent=2, ensure_ascii=False))

@@ -180,8 +180,11 @@ class Exclusions:
         found = [start if start >> bit & 1 else 0 for bit in range(2 * self._count)]
         watch = Watch(MOST_SECONDS)
         try:
-            while any([self._fired(rule, found, watch) for rule in self._rules]):
-                pass
+            news = True
+            while news:
+                news = False
+                for rule in self._rules:
+                    news |= self._fired(rule, found, watch)
         except TimeIsUp:
             return []
         return found

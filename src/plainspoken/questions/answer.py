@@ -94,8 +94,8 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
         case Kind.COMMAND:
             _not_yet(
                 draft,
-                "You want me to do something, and here I only answer: `plainspoken missions change` "
-                "changes the mission",
+                "You want something done, and here I only answer: `plainspoken missions change` "
+                "changes a mission",
             )
         case Kind.CHITCHAT:
             _chat(draft)

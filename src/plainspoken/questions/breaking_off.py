@@ -40,7 +40,7 @@ def done_with(mission: Mission, thing: str) -> Formula | None:
     gone = [atom for atom in sorted(now) if not any(atom in ending for ending in endings)]
     ways = []
     for ending in endings:
-        so = [Atom(flat(atom)) for atom in telling if atom in ending]
+        so: list[Formula] = [Atom(flat(atom)) for atom in telling if atom in ending]
         ways.append(conjunction(*(so or [Not(Atom(flat(atom))) for atom in gone])))
     return Eventually(disjunction(*ways))
 

@@ -1,4 +1,4 @@
-"""What somebody wants changed of a mission that goes on, in words, becomes clauses over what is left.
+"""What somebody wants changed of a mission, in words, becomes clauses over what is left of it.
 
     change = wanted("skip line 3", mission, lexicon)
     change.clauses   # each with the instant that it counts from
@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from plainspoken.automata.verdict import Part, Verdict
+from plainspoken.automata.verdict import Verdict
 from plainspoken.language.dialogue import Dialogue
 from plainspoken.language.extracted import Extraction, Status, patterns_of
 from plainspoken.language.extraction import extract
@@ -24,20 +24,19 @@ from plainspoken.language.refinement import added, demanded, put_first, put_last
 from plainspoken.language.refusal import LONGEST
 from plainspoken.language.sentence import reading_of
 from plainspoken.logic.english import say
-from plainspoken.logic.formula import Atom, Formula, conjunction, conjuncts
+from plainspoken.logic.formula import Atom, Formula, conjunction
 from plainspoken.logic.pattern import Pattern, Visit
-from plainspoken.logic.recognition import recognised
 from plainspoken.logic.syntax import unparse
 from plainspoken.mission.mission import Mission
 from plainspoken.mission.request import Clause
 from plainspoken.questions.breaking_off import done_with
+from plainspoken.questions.left import Left, Patterns, done_already, left_over, single
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.referent import MOTION, referents_of
 from plainspoken.questions.spelling import normal
 from plainspoken.world.symbol import ActionSymbol, AtomSymbol, SymbolId, flat, resolve
 
 Translate = Callable[[str, Vocabulary], Extraction]
-Patterns = tuple[Pattern, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,16 +79,6 @@ class ChangeOfMind:
 _OF_THINGS = (Wish.SKIP, Wish.FIRST, Wish.LAST, Wish.ADD, Wish.REPLACE)
 
 
-@dataclass(frozen=True, slots=True)
-class _Left:
-    """A part of the request: the clause it is, and what is left of it as patterns, if it is some."""
-
-    clause: Clause
-    verdict: Verdict
-    rest: Formula
-    patterns: Patterns
-
-
 _STOP = re.compile(r"(?:please |ok |okay )*(?:stop|halt|quit|abort|wait|pause)(?: now| please)*")
 _STOP_AFTER = re.compile(
     r"(?:please |and |then |ok |okay |just )*(?:stop|finish|end|quit|that is enough|call it a day)"
@@ -102,14 +91,15 @@ _NO_MORE = re.compile(
     r"(?: any ?more| any longer| after all)?"
 )
 _ANEW = re.compile(
-    r"(?:please |ok |okay )*(?:forget|drop|scrap|cancel|leave|never ?mind) (?:about )?(?:that|it|this"
-    r"|everything|all (?:of )?(?:that|this|it)|the (?:whole |rest|mission|plan|others?).*?)"
+    r"(?:please |ok |okay )*(?:forget|drop|scrap|cancel|leave|never ?mind) (?:about )?(?:that|it"
+    r"|this|everything|all (?:of )?(?:that|this|it)|the (?:whole |rest|mission|plan|others?).*?)"
     r"[,;:. ]+(?:and |then |instead )*(?P<what>\w.*)",
     re.IGNORECASE,
 )
 _INSTEAD = re.compile(r"^(?:instead|rather)\b[\s,:]*|[\s,]*\binstead[.!]?$", re.IGNORECASE)
 _ALSO = re.compile(
-    r"^(?:and|also|in addition|additionally|besides|plus|then|afterwards)\b|\b(?:too|as well)[.!]?$",
+    r"^(?:and|also|in addition|additionally|besides|plus|then|afterwards)\b"
+    r"|\b(?:too|as well)[.!]?$",
     re.IGNORECASE,
 )
 
@@ -141,7 +131,7 @@ class _Mind:
         self._lexicon = lexicon
         self._translate = translate
         self._vocabulary = Vocabulary.of(lexicon.landmarks)
-        self._parts = tuple(_parts(mission))
+        self._parts = tuple(left_over(mission))
         self._clauses: dict[Pattern, Clause] = {}
         for each in self._parts:
             for pattern in each.patterns:
@@ -251,7 +241,7 @@ class _Mind:
         }  # fmt: skip
 
     def _no_more(self, text: str, what: str) -> ChangeOfMind | None:
-        """`You need not clear line 3`: what that would ask for is skipped, where it is asked for."""
+        """`You need not clear line 3`: what that asks for is skipped, where it is asked for."""
         name = re.sub(r"^(?:do|go to|visit|handle|deal with|look at) ", "", what)
         by_name = self._of_things(text, FollowUp(Wish.SKIP, name))
         if by_name is not None and by_name.status is Status.OK:
@@ -371,7 +361,7 @@ class _Mind:
                     return name
         return None
 
-    def _ended(self, text: str, kept: Sequence[_Left], last: Clause | None) -> ChangeOfMind:
+    def _ended(self, text: str, kept: Sequence[Left], last: Clause | None) -> ChangeOfMind:
         clauses = tuple(each.clause for each in kept) + ((last,) if last else ())
         rules = [each.rest for each in kept if each.verdict is Verdict.HOLDS_SO_FAR]
         after = self._say(last.goal) if last else "The action under way is the last one."
@@ -383,7 +373,7 @@ class _Mind:
     # -- what is left --------------------------------------------------------------------------
 
     def _patterns(self) -> Patterns:
-        """What is left of the request, the visits as one: whatever comes first, comes before all."""
+        """What is left of the request, the visits as one: what comes first, comes before all."""
         places: list[Formula] = []
         others: list[Pattern] = []
         for each in self._parts:
@@ -395,7 +385,7 @@ class _Mind:
         return (*((Visit(tuple(places)),) if places else ()), *others)
 
     def _agreed(self, text: str, patterns: Patterns) -> ChangeOfMind:
-        if set(_single(patterns)) == set(_single(self._patterns())):
+        if set(single(patterns)) == set(single(self._patterns())):
             return ChangeOfMind(text, Status.REJECT, reason="That is what is asked for already.")
         if not patterns and not any(each.verdict is Verdict.SATISFIED for each in self._parts):
             reason = "Nothing would be left of the mission: `plainspoken missions cancel` ends it."
@@ -404,14 +394,14 @@ class _Mind:
 
     def _meant(self, patterns: Patterns) -> Wanted:
         """Patterns as clauses: those that were there before as they are, others from now on."""
-        single = _single(patterns)
+        each_alone = single(patterns)
         fixed = [each for each in self._parts if not each.patterns]
         clauses = {each.clause: None for each in fixed}
-        for each in single:
+        for each in each_alone:
             clauses[self._clauses.get(each, Clause(each.executable, self._mission.instant))] = None
         open_ones = [each.rest for each in fixed if each.verdict is not Verdict.SATISFIED]
         goal = conjunction(*(each.executable for each in patterns), *open_ones)
-        english = self._say(goal) if single or open_ones else "Nothing more."
+        english = self._say(goal) if each_alone or open_ones else "Nothing more."
         return Wanted("", english, tuple(clauses))
 
     def _say(self, goal: Formula) -> str:
@@ -444,47 +434,7 @@ class _Mind:
         return []
 
     def _not_asked(self, text: str, things: Sequence[str]) -> ChangeOfMind:
-        done = self._asked_of(things, _done(self._mission))
+        done = self._asked_of(things, done_already(self._mission))
         names = " and ".join(self._lexicon.object_words(each) for each in things)
         reason = f"What was asked of {names} is done." if done else f"Nothing is asked of {names}."
         return ChangeOfMind(text, Status.REJECT, reason=reason)
-
-
-def _single(patterns: Patterns) -> Patterns:
-    """Patterns with each visit for itself."""
-    return tuple(
-        single
-        for each in patterns
-        for single in (
-            (Visit((place,)) for place in each.places) if isinstance(each, Visit) else (each,)
-        )
-    )
-
-
-def _parts(mission: Mission) -> Iterable[_Left]:
-    """The parts of a request with what is left of each."""
-    parts = iter(mission.monitor.parts)
-    for clause in mission.brief.clauses:
-        for goal in conjuncts(clause.goal):
-            part = next(parts)
-            rest = part.automaton.residual(part.state)
-            patterns = () if part.verdict is Verdict.SATISFIED else _patterns_of(part, rest)
-            yield _Left(Clause(goal, clause.since), part.verdict, rest, patterns)
-
-
-def _patterns_of(part: Part, rest: Formula) -> Patterns:
-    for formula in (rest, part.formula):
-        found = recognised(formula)
-        if all(isinstance(each, Pattern) for each in found):
-            return _single(tuple(each for each in found if isinstance(each, Pattern)))
-    return ()
-
-
-def _done(mission: Mission) -> Patterns:
-    found = [
-        each
-        for part in mission.monitor.parts
-        if part.verdict is Verdict.SATISFIED
-        for each in recognised(part.formula)
-    ]
-    return tuple(each for each in found if isinstance(each, Pattern))

@@ -100,30 +100,11 @@ def understood(text: str, lexicon: Lexicon, state: State) -> Report:
     reason = _unspeakable(text)
     if reason is not None:
         return Report(text, Status.REJECT, reason=reason)
-    exclusions = exclusions_of(lexicon.problem)
     clauses = told(text, lexicon)
-    refusal = _refusal(text, clauses, lexicon)
-    if refusal is not None:
-        return Report(text, Status.REJECT, reason=refusal)
-    named = frozenset(
-        name
-        for clause in clauses
-        for part in clause.words.split("<")[1:]
-        for name in part.split(">")[0].split("+")
-    )
-    stated = [fact for clause in clauses for fact in clause.facts]
-    stated = [_opposite(fact, exclusions) for fact in stated]
-    ways = [list(stated)]
-    for clause in clauses:
-        for deeds in clause.deeds or (((),) if clause.made else ()):
-            options = _options(deeds, clause.made, named, state, lexicon, exclusions)
-            if not options:
-                continue
-            ways = [[*way, *more] for way, more in product(ways, options)]
-    ways = _agreeing(ways, stated)
-    odd = [word for clause in clauses for word in clause.odd]
-    unread = [c.words for c in clauses if not (c.facts or c.deeds or c.made)]
-    return _report(text, ways, odd + unread, lexicon, state, exclusions)
+    reason = _refusal(text, clauses, lexicon)
+    if reason is not None:
+        return Report(text, Status.REJECT, reason=reason)
+    return _Reader(lexicon, state, exclusions_of(lexicon.problem)).report(text, clauses)
 
 
 def settled_on(report: Report, choice: Choice, lexicon: Lexicon) -> Report:
@@ -198,24 +179,91 @@ def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
     return fact
 
 
-def _options(
-    deeds: Sequence[Deed],
-    made: Sequence[Literal],
-    named: frozenset[str],
-    state: State,
-    lexicon: Lexicon,
-    exclusions: Exclusions,
-) -> list[tuple[Literal, ...]]:
-    """The facts that a deed may have made so."""
-    found: dict[tuple[Literal, ...], None] = {}
-    objects = deeds[0].objects if deeds else None
-    own = [m for m in made if objects is None or set(m[0].split()[1:]) <= set(objects)]
-    for deed in deeds:
-        for each in accomplished(deed, named, state, lexicon, exclusions):
-            found.update(dict.fromkeys(_with_verb(each, own)))
-    if own and not any(set(own) <= set(each) for each in found):
-        return [tuple(own)]
-    return list(found)
+class _Reader:
+    """What clauses come to in one state of one problem."""
+
+    def __init__(self, lexicon: Lexicon, state: State, exclusions: Exclusions) -> None:
+        self._lexicon = lexicon
+        self._state = state
+        self._exclusions = exclusions
+
+    def report(self, text: str, clauses: Sequence[Told]) -> Report:
+        named = frozenset(
+            name
+            for clause in clauses
+            for part in clause.words.split("<")[1:]
+            for name in part.split(">")[0].split("+")
+        )
+        stated = [_opposite(fact, self._exclusions) for clause in clauses for fact in clause.facts]
+        ways = [list(stated)]
+        for clause in clauses:
+            for deeds in clause.deeds or (((),) if clause.made else ()):
+                options = self._options(deeds, clause.made, named)
+                if options:
+                    ways = [[*way, *more] for way, more in product(ways, options)]
+        odd = [word for clause in clauses for word in clause.odd]
+        odd += [c.words for c in clauses if not (c.facts or c.deeds or c.made)]
+        return self._settled(text, _agreeing(ways, stated), odd)
+
+    def _options(
+        self, deeds: Sequence[Deed], made: Sequence[Literal], named: frozenset[str]
+    ) -> list[tuple[Literal, ...]]:
+        """The facts that a deed may have made so."""
+        found: dict[tuple[Literal, ...], None] = {}
+        objects = deeds[0].objects if deeds else None
+        own = [m for m in made if objects is None or set(m[0].split()[1:]) <= set(objects)]
+        for deed in deeds:
+            ends = accomplished(deed, named, self._state, self._lexicon, self._exclusions)
+            for each in ends:
+                found.update(dict.fromkeys(_with_verb(each, own)))
+        if own and not any(set(own) <= set(each) for each in found):
+            return [tuple(own)]
+        return list(found)
+
+    def _settled(self, text: str, ways: list[list[Literal]], odd: Sequence[str]) -> Report:
+        """One way is the report, several are a question, none is a refusal."""
+        said = dict.fromkeys(tuple(dict.fromkeys(way)) for way in ways if way)
+        endings = {each: settled(each, self._state, self._exclusions) for each in said}
+        if not endings:
+            reason = "That is clear, but I cannot tell what has come of it."
+            return Report(text, Status.REJECT, reason=reason)
+        good = [each for each in endings.values() if isinstance(each, Settled)]
+        if len(endings) == 1 and not good:
+            ((literals, only),) = endings.items()
+            if isinstance(only, Open):
+                return self._which(text, literals, only)
+            assert isinstance(only, Clash)  # noqa: S101 - what is neither settled nor open
+            return Report(text, Status.REJECT, reason=_clash_words(only, self._lexicon))
+        if not good:
+            return Report(text, Status.REJECT, reason="That cannot be, whichever way it is meant.")
+        if len(good) > MOST_CHOICES:
+            question = "That may mean many things. Say of what it is so."
+            return Report(text, Status.CLARIFY, question=question)
+        if len(good) > 1:
+            shared = set.intersection(*(set(each.said) for each in good))
+            choices = tuple(
+                Choice(_own_words(each, shared, good, self._lexicon), each) for each in good
+            )
+            return Report(text, Status.CLARIFY, question="How did it turn out?", choices=choices)
+        english = said_back(good[0], self._lexicon)
+        if odd:
+            question = f'Do you mean: "{english}"?'
+            choice = Choice("yes", good[0])
+            return Report(text, Status.CLARIFY, question=question, choices=(choice,))
+        return Report(text, Status.OK, good[0], english)
+
+    def _which(self, text: str, said: Sequence[Literal], left: Open) -> Report:
+        """A question what is so instead of what is not so any more."""
+        choices = []
+        for each in left.candidates:
+            ending = settled([*said, (each, True)], self._state, self._exclusions)
+            if isinstance(ending, Settled):
+                choices.append(Choice(in_words([(each, True)], self._lexicon), ending))
+        lost = in_words([(left.no_more, False)], self._lexicon)
+        question = f"Then {lost}. What is so instead?"
+        if len(choices) > MOST_CHOICES:
+            choices = []
+        return Report(text, Status.CLARIFY, question=question, choices=tuple(choices))
 
 
 def _with_verb(outcomes: Outcomes, made: Sequence[Literal]) -> Outcomes:
@@ -233,48 +281,6 @@ def _agreeing(ways: list[list[Literal]], stated: Sequence[Literal]) -> list[list
     return saying or kept
 
 
-def _report(
-    text: str,
-    ways: list[list[Literal]],
-    odd: Sequence[str],
-    lexicon: Lexicon,
-    state: State,
-    exclusions: Exclusions,
-) -> Report:
-    """One way is the report, several are a question, none is a refusal."""
-    endings = {tuple(dict.fromkeys(way)): settled(way, state, exclusions) for way in ways if way}
-    if not endings:
-        return Report(
-            text, Status.REJECT, reason="That is clear, but I cannot tell what has come of it."
-        )
-    good = [each for each in endings.values() if isinstance(each, Settled)]
-    if len(endings) == 1:
-        (only,) = endings.values()
-        match only:
-            case Clash(one, other):
-                return Report(text, Status.REJECT, reason=_clash_words(one, other, lexicon))
-            case Open(gone, candidates):
-                (said,) = endings
-                return _which(text, said, gone, candidates, lexicon, state, exclusions)
-            case Settled():
-                good = [only]
-    if not good:
-        return Report(text, Status.REJECT, reason="That cannot be, whichever way it is meant.")
-    if len(good) > MOST_CHOICES:
-        return Report(
-            text, Status.CLARIFY, question="That may mean many things. Say of what it is so."
-        )
-    if len(good) > 1:
-        shared = set.intersection(*(set(each.said) for each in good))
-        choices = tuple(Choice(_own_words(each, shared, good, lexicon), each) for each in good)
-        return Report(text, Status.CLARIFY, question="How did it turn out?", choices=choices)
-    english = said_back(good[0], lexicon)
-    if odd:
-        question = f'Do you mean: "{english}"?'
-        return Report(text, Status.CLARIFY, question=question, choices=(Choice("yes", good[0]),))
-    return Report(text, Status.OK, good[0], english)
-
-
 def _own_words(
     facts: Settled, shared: set[Literal], others: Sequence[Settled], lexicon: Lexicon
 ) -> str:
@@ -286,27 +292,8 @@ def _own_words(
     return in_words([(atom, not holds) for atom, holds in sorted(foreign)], lexicon)
 
 
-def _which(
-    text: str,
-    said: Sequence[Literal],
-    gone: GroundAtom,
-    candidates: Sequence[GroundAtom],
-    lexicon: Lexicon,
-    state: State,
-    exclusions: Exclusions,
-) -> Report:
-    """A question what is so instead of what is not so any more."""
-    choices = []
-    for each in candidates:
-        ending = settled([*said, (each, True)], state, exclusions)
-        if isinstance(ending, Settled):
-            choices.append(Choice(in_words([(each, True)], lexicon), ending))
-    lost = in_words([(gone, False)], lexicon)
-    question = f"Then {lost}. What is so instead?"
-    return Report(text, Status.CLARIFY, question=question, choices=tuple(choices[:MOST_CHOICES]))
-
-
-def _clash_words(one: Literal, other: Literal, lexicon: Lexicon) -> str:
+def _clash_words(clash: Clash, lexicon: Lexicon) -> str:
+    one, other = clash.one, clash.other
     if one == other:
         never = "can never be so here" if one[1] else "is always so here"
         return f"That {in_words([(one[0], True)], lexicon)} {never}."

@@ -129,13 +129,13 @@ def _without_pronouns(marked: str, its: str) -> str:
     """A text with the thing that was spoken of first, in the clause before, for `it` and `its`."""
     parts, before = [], ""
     for piece in _PIECE.split(marked):
-        own = next(iter(_marks(piece)), "")
+        own, named = next(iter(_marks(piece)), ""), piece
         if before:
-            piece = re.sub(r"\bits (\w+)", its.format(before), piece)
-            if not own:
-                piece = re.sub(r"\b(?:it|they|them|this one)\b", f"<{before}>", piece)
+            named = re.sub(r"\bits (\w+)", its.format(before), named)
+        if before and not own:
+            named = re.sub(r"\b(?:it|they|them|this one)\b", f"<{before}>", named)
         before = own or before
-        parts.append(piece)
+        parts.append(named)
     return "".join(parts)
 
 
@@ -294,7 +294,7 @@ def _deed(words: str, lexicon: Lexicon) -> Told | None:
     trouble = None
     if negative and not made:
         trouble = "that says what was not done, and not what is so"
-    return Told(words, (), () if negative else tuple(deeds), tuple(made), odd, trouble)
+    return Told(words, (), () if negative else tuple(deeds), tuple(made), odd, trouble=trouble)
 
 
 def _carried(verb: str, objects: tuple[str, ...], lexicon: Lexicon) -> Iterator[GroundAtom]:
