@@ -65,9 +65,7 @@ def sentences(domain: str) -> list[Sentence]:
         row = json.loads(line)
         facts = tuple(row["facts"]) if "facts" in row else None
         state = tuple(row.get("state", ()))
-        found.append(
-            Sentence(domain, row["id"], row["text"], Status(row["status"]), facts, state)
-        )
+        found.append(Sentence(domain, row["id"], row["text"], Status(row["status"]), facts, state))
     return found
 
 

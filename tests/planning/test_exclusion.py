@@ -31,7 +31,7 @@ def reached(problem: Problem) -> list[State]:
     return list(found)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(problems())
 def test_what_is_excluded_is_so_in_no_state_and_a_group_has_one_in_each(problem: Problem) -> None:
     exclusions = Exclusions(problem)

@@ -110,7 +110,7 @@ WORDS = st.sampled_from(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(st.lists(WORDS, max_size=9).map(" ".join) | st.text(max_size=60))
 def test_whatever_is_said_nothing_comes_of_it_but_facts_that_can_change(text: str) -> None:
     lexicon = lexicon_for("vineyard")
