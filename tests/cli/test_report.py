@@ -7,20 +7,27 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from click.testing import CliRunner, Result
 
-Run = Callable[..., subprocess.CompletedProcess[str]]
+from plainspoken.cli import plainspoken as commands
+from plainspoken.cli.exit import BAD_INPUT
+from plainspoken.errors import PlainspokenError
+
+Run = Callable[..., Result]
 
 
 @pytest.fixture
 def plainspoken(store_url: str, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """The command line, in this process: what is tested here starts it a dozen times."""
     monkeypatch.setenv("PLAINSPOKEN_STORE", store_url)
 
-    def run(*arguments: str, code: int = 0) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "plainspoken", *arguments]
-        done = subprocess.run(
-            command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL
-        )
-        assert done.returncode == code, done.stderr
+    def run(*arguments: str, code: int = 0, said: str | None = None) -> Result:
+        done = CliRunner().invoke(commands, arguments, input=said)
+        if isinstance(done.exception, PlainspokenError):
+            assert code == BAD_INPUT, done.exception
+            done.stderr_bytes = str(done.exception).encode()
+        else:
+            assert done.exit_code == code, (done.stderr, done.exception)
         return done
 
     return run
@@ -157,13 +164,7 @@ def test_a_report_is_in_the_log_once_when_its_worker_is_killed_right_behind_it(
 def test_talking_reports_and_changes_what_is_agreed_to(plainspoken: Run, tmp_path: Path) -> None:
     mission = detached(plainspoken)
     said = "What will you do?\nI cleared line 2 myself\nyes\nskip line 3\nno\n"
-    talk = subprocess.run(
-        [sys.executable, "-m", "plainspoken", "ask", "--talk", "--mission", mission],
-        input=said,
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    talk = plainspoken("ask", "--talk", "--mission", mission, said=said).stdout
     assert "Is that right?\nNoted: line 2 is cleared.\n" in talk
     assert talk.endswith("Then nothing is changed.\n")
     kinds = [each["kind"] for each in events(plainspoken, mission, tmp_path)]

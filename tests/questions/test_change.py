@@ -50,6 +50,13 @@ def after(now: Advance, actions: int) -> Advance:
     return now
 
 
+def policy_from(mission: Mission, goal: str) -> Planned:
+    """What a planner finds from where a mission is."""
+    ending = find_policy(replace(site().problem, initial=mission.world), parse(goal))
+    assert isinstance(ending, Solved)
+    return Planned(ending.policy)
+
+
 def change(
     text: str, mission: Mission | None = None, *, instead: bool | None = None
 ) -> ChangeOfMind:

@@ -103,11 +103,11 @@ def test_what_is_no_report_is_refused_with_a_reason(text: str, reason: str) -> N
     assert (found.added, found.deleted) == (set(), set())
 
 
-WORDS = st.sampled_from(
-    ["line 2", "grape 1", "all lines", "the box", "it", "is", "isn't", "I", "you", "cleared"]
-    + ["harvested", "ripe", "unripe", "full", "and", "but", ",", ".", "not", "both", "myself"]
-    + ["the robot", "put", "in", "at", "DROP TABLE entry", "(cleared l2)", "\u202e", "🍇", "<g1>"]
+SAID = (
+    "line 2|grape 1|all lines|the box|it|is|isn't|I|you|cleared|harvested|ripe|unripe|full|and|but"
+    "|,|.|not|both|myself|the robot|put|in|at|DROP TABLE entry|(cleared l2)|\u202e|🍇|<g1>"
 )
+WORDS = st.sampled_from(SAID.split("|"))
 
 
 @settings(max_examples=60, deadline=None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -103,7 +104,7 @@ def _talk(mission: str | None, store: str | None) -> None:
     conversation = Conversation()
     with open_store(store) as kept:
         id = accepted_of(entries_in(kept, mission)).mission
-        for line in click.get_text_stream("stdin"):
+        for line in sys.stdin:
             if not line.strip():
                 continue
             said = conversation.say(line.strip(), Moment(kept.entries(id)))
