@@ -65,7 +65,7 @@ def test_what_the_robot_did_itself_is_told_as_its_own() -> None:
         now = after(now, 1)
         steps.append((now.mission.instant, now.events))
     entries = log_of(*steps)
-    assert "I moved to the warehouse at 09:0" in answer("who moved to the warehouse?", entries).text
+    assert "I checked grape 3 at 09:" in answer("who checked grape 3?", entries).text
     assert answer("what has been reported?", entries).text == (
         "Nobody has reported anything so far."
     )

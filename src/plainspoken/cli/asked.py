@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any, NoReturn
 
 import click
 
@@ -11,6 +13,7 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.store import entries_in
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.store import Store
+from plainspoken.language.extracted import Status
 from plainspoken.mission.mailbox import Asked
 from plainspoken.mission.mission import mission_from
 from plainspoken.pipeline import accepted_of
@@ -75,6 +78,22 @@ def tell(reply: Reply, done: str) -> None:
     if reply.worker is None and not (reply.mission.is_over or reply.mission.is_at_rest):
         text += ", and nobody carries the mission out: start a worker with `plainspoken work`"
     click.echo(text)
+
+
+def refused(
+    document: Mapping[str, Any], reason: str | None, nothing: str, *, as_json: bool
+) -> NoReturn:
+    """Say why nothing is asked of a mission, and exit; JSON without --yes shows what would be.
+
+    nothing: what does not happen
+    """
+    if as_json:
+        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
+        sys.exit(0 if document["status"] == Status.OK else NO)
+    if reason:
+        click.echo(f"plainspoken: {reason}", err=True)
+    click.echo(nothing, err=True)
+    sys.exit(NO)
 
 
 def confirmed(text: str, *, yes: bool) -> bool:

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from plainspoken.cli.asked import askable, confirmed, picked, put
+from plainspoken.cli.asked import askable, confirmed, picked, put, refused
 from plainspoken.cli.exit import NO
 from plainspoken.cli.robots import person
 from plainspoken.cli.store import entries_in
@@ -17,7 +17,7 @@ from plainspoken.knowledge.store import Store
 from plainspoken.language.extracted import Status
 from plainspoken.mission.mission import MissionId, mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked
-from plainspoken.questions.change import ChangeOfMind, wanted
+from plainspoken.questions.change import wanted
 from plainspoken.questions.conversation import message_of
 from plainspoken.questions.moment import lexicon_of
 from plainspoken.work.shift import TICK
@@ -56,8 +56,7 @@ def changed(
     document: dict[str, Any] = {"mission": id, "outcome": None, **found.to_json()}
     meant = found.meant
     if meant is None or (as_json and not yes):
-        _refused(found, document, as_json=as_json)
-        return
+        refused(document, found.reason, "nothing is changed", as_json=as_json)
     name = by or person()
     reply = put(kept, id, message_of(found, name))
     outcome, reason = "asked", None
@@ -78,18 +77,6 @@ def changed(
         click.echo(f"asked; {who} plans it before the next action")
     if outcome == "refused":
         sys.exit(NO)
-
-
-def _refused(found: ChangeOfMind, document: dict[str, Any], *, as_json: bool) -> None:
-    """Say why nothing is asked for."""
-    if as_json:
-        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
-        # Without --yes JSON only shows what would be asked for.
-        sys.exit(0 if found.status is Status.OK else NO)
-    if found.reason:
-        click.echo(f"plainspoken: {found.reason}", err=True)
-    click.echo("nothing is changed", err=True)
-    sys.exit(NO)
 
 
 def _outcome(kept: Store, id: MissionId, text: str, since: Step) -> tuple[str, str | None]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from plainspoken.cli.asked import confirmed, mission_in, picked, put, tell
+from plainspoken.cli.asked import confirmed, mission_in, picked, put, refused, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.robots import person
 from plainspoken.cli.store import open_store, store_option
@@ -62,7 +62,7 @@ def report(
         elif found.status is Status.OK and not as_json and not confirmed(_said(found), yes=yes):
             sys.exit(NO)
         if found.status is not Status.OK or (as_json and not yes):
-            _refused(found, document, as_json=as_json)
+            refused(document, found.reason, "nothing is recorded", as_json=as_json)
         name = by or person()
         reply = put(kept, now.id, message_of(found, name))
     if as_json:
@@ -74,15 +74,3 @@ def report(
 
 def _said(found: Report) -> str:
     return f"I understand: {found.english}."
-
-
-def _refused(found: Report, document: dict[str, Any], *, as_json: bool) -> None:
-    """Say why nothing is recorded."""
-    if as_json:
-        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
-        # Without --yes JSON only shows what would be recorded.
-        sys.exit(0 if found.status is Status.OK else NO)
-    if found.reason:
-        click.echo(f"plainspoken: {found.reason}", err=True)
-    click.echo("nothing is recorded", err=True)
-    sys.exit(NO)

@@ -25,7 +25,11 @@ class TimeIsUp(Exception):  # the solver makes an ending of it
 
 @dataclass(slots=True)
 class Watch:
-    """Started when it is made. timeout: None for as long as it takes."""
+    """Started when it is made.
+
+    timeout: None for as long as it takes
+    size:    what was told last, told again where only the time is looked at
+    """
 
     timeout: Seconds | None = None
     on_progress: Callable[[Progress], None] | None = None

@@ -1,6 +1,6 @@
 """What a deed that somebody tells of has made so, by the actions of the domain.
 
-A person who harvests a grape has picked it, but has not filled the robot's hand. So what an action
+A person who fetches a mug has moved it, but has not filled the robot's hand. So what an action
 does to robots that nobody named is left out, and so is what hangs on it.
 """
 
@@ -134,7 +134,7 @@ def _own(
         if each not in robots and not (each[1] and hangs):
             yield each
     for atom, holds in alone:
-        # Whoever takes the grape out of its hand leaves the hand empty.
+        # Whoever takes the mug out of its hand leaves the hand empty.
         group = exclusions.group(atom) if holds else ()
         if any((each, False) in literals and each in state for each in group):
             yield atom, True

@@ -1,4 +1,4 @@
-"""When a mission is done with a thing: "stop after this grape"."""
+"""When a mission is done with a thing: "stop after this mug"."""
 
 from __future__ import annotations
 

@@ -344,7 +344,7 @@ class _Mind:
         return self._ended(text, kept, Clause(goal, now))
 
     def _thing(self, what: str) -> str | None:
-        """The object that words name, or point to: `this grape` is the one that is worked on."""
+        """The object that words name, or point to: `this mug` is the one that is worked on."""
         named = referents_of(what, self._lexicon).objects
         if named:
             return named[0]

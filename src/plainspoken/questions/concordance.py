@@ -220,7 +220,7 @@ def _mark(names: Sequence[str]) -> str:
 
 
 def opposites(word: str) -> frozenset[str]:
-    """The words that deny another one: `unripe` and `ripe`, `empty` and `full`."""
+    """The words that deny another one: `unchecked` and `checked`, `empty` and `full`."""
     found = {word.removeprefix("un")} if word.startswith("un") and len(word) > 4 else {f"un{word}"}
     found |= {value for key, value in _OPPOSITES.items() if key == word}
     return frozenset(found | {key for key, value in _OPPOSITES.items() if value == word})

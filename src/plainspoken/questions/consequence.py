@@ -1,6 +1,6 @@
 """What follows from facts that somebody tells: what else is so then, and what is left open.
 
-Domains keep to rules that nobody writes down: a parcel is in one place, a grape is ripe, unripe,
+Domains keep to rules that nobody writes down: a parcel is in one place, a mug is clean, chipped,
 unknown or unchecked. Who says "the crate is on the cart" says as well that it is not on its shelf
 any more. The rules are found by `planning.exclusion`, not guessed from words.
 """
@@ -91,8 +91,8 @@ def settled(
 def _implied(literal: Literal, reason: Literal, exclusions: Exclusions) -> list[Literal]:
     """What follows for the things that was spoken of, and for what takes a fact's place.
 
-    A line that is cleared had its grapes looked at; but who clears it by hand tells nothing of
-    grapes.
+    A shelf that is cleared had its mugs looked at; but who clears it by hand tells nothing of
+    them.
     """
     things = set(reason[0].split()[1:])
     group = exclusions.group(literal[0])

@@ -167,7 +167,7 @@ def _refusal(text: str, clauses: Sequence[Told], lexicon: Lexicon) -> str | None
 
 
 def _opposite(fact: Literal, exclusions: Exclusions) -> Literal:
-    """That a grape is not ripe says that it is unripe, where that is one of what it can be."""
+    """That a mug is not checked says that it is unchecked, where that is one of what it can be."""
     atom, holds = fact
     if holds:
         return fact
