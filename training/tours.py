@@ -27,6 +27,7 @@ from training.wording import (
     ONCE,
     ONLY_AFTER,
     ORDERLY,
+    RETURNING,
     SEPARATE,
     SHUN,
     THEN,
@@ -171,7 +172,7 @@ def _strict_legs(say: Speaker, places: Sequence[SymbolId]) -> Said:
         else:
             parts.append(
                 f"{say.any(THEN)} {say.any(GO)} {say(later)} , not before {say(earlier)} and "
-                f"without {say.any(('returning to', 'going back to', 'revisiting'))} {say(earlier)} first"
+                f"without {say.any(RETURNING)} {say(earlier)} first"
             )
     return " , ".join(parts), (StrictOrderedVisit(_formulas(places)),)
 

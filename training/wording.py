@@ -37,6 +37,7 @@ THEN = _either(
 )
 LAST = _either("finally | and finally | lastly | then | and then | at the end | , and last of all")
 FIRST = _either("first | first of all , | to begin with , | at the start |  |  | ")
+RETURNING = _either("returning to | going back to | revisiting")
 ORDERLY = _either(
     "in that order | in this order | in exactly that order | in the given order | in the "
     "order given | in order | one after the other in that order | keeping to that order | in "

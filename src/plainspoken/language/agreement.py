@@ -63,11 +63,11 @@ _GAP = 3
 """Words that may stand between two that name one symbol."""
 
 WEIGHTS = {
-    "bias": -0.107,
-    "own": 0.641,
-    "agreed": 1.743,
-    "denied": -0.499,
-    "refused": -0.001,
+    "bias": 0.222,
+    "own": 0.655,
+    "agreed": 1.142,
+    "denied": -0.693,
+    "refused": -0.294,
 }
 """Of the logistic regression in `likelihood`."""
 
