@@ -11,6 +11,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table
 from rich.text import Text
 
+from plainspoken.logic.english import say
+from plainspoken.logic.syntax import parse
 from plainspoken.mission.mission import Mission
 from plainspoken.planning.policy import Policy, policy_from_json
 from plainspoken.questions.lexicon import Lexicon
@@ -37,6 +39,7 @@ from plainspoken.world.event import (
     RobotFound,
     RobotLost,
     TakenUp,
+    VerdictReached,
 )
 
 ROWS = 14
@@ -115,6 +118,12 @@ class Scoreboard:
                 doing = self._lexicon.deed(action).doing
                 self._settle(Row(str(entry.instant), doing, f"failed: {reason}", "red"))
                 self._state = state
+            case VerdictReached("violated", clause, together):
+                lost = " | ".join(
+                    say(parse(each), self._lexicon.landmarks).rstrip(".")
+                    for each in together or (() if clause is None else (clause,))
+                )
+                self._rows.append(Row("", "cannot be met any more", lost, "bold red"))
             case MissionEnded(outcome, satisfied):
                 verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
                 self._rows.append(

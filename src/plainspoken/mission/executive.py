@@ -18,7 +18,6 @@ from itertools import takewhile
 from typing import assert_never
 
 from plainspoken.automata.verdict import Verdict
-from plainspoken.logic.syntax import unparse
 from plainspoken.mission.command import (
     Attach,
     CancelAction,
@@ -29,6 +28,7 @@ from plainspoken.mission.command import (
     Send,
 )
 from plainspoken.mission.coverage import sound_nodes
+from plainspoken.mission.judgement import broken, reached
 from plainspoken.mission.mission import (
     ActionInFlight,
     Change,
@@ -151,8 +151,8 @@ def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
             event = _seen(mission, observation)
         case Planned(policy):
             return _chosen(mission, policy)
-        case NotPlanned(reason):
-            event = _unplanned(mission, reason)
+        case NotPlanned():
+            return _unplanned(mission, observation)
         case ChangeAsked():
             return _reconsidered(mission, observation)
         case PauseAsked(by):
@@ -225,11 +225,11 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
 
 def _decision(mission: Mission) -> Event | None:
     """The next event that the mission itself brings about; None where it has to wait."""
-    verdict = mission.monitor.verdict
     if mission.is_over:
         return None
-    if not mission.settled and verdict in (Verdict.SATISFIED, Verdict.VIOLATED):
-        return VerdictReached(verdict, _violated_clause(mission))
+    certain = reached(mission)
+    if certain is not None:
+        return certain
     if mission.in_flight is not None:
         return None
     if mission.cancelled_by is not None:
@@ -238,10 +238,10 @@ def _decision(mission: Mission) -> Event | None:
         return None
     if mission.change is not None and mission.paused_by is None:
         return None
-    if verdict is Verdict.VIOLATED:
-        return _stopped(
-            mission, f"the request can no longer be met: {_violated_clause(mission)} is violated"
-        )
+    lost = broken(mission)
+    if lost:
+        what = f"{lost[0]} is violated" if len(lost) == 1 else f"not all of {', '.join(lost)}"
+        return _stopped(mission, f"the request can no longer be met: {what}")
     if mission.node is None:
         return _decision_adrift(mission)
     if mission.paused_by is not None:
@@ -340,11 +340,14 @@ def _chosen(mission: Mission, policy: Policy) -> tuple[Event, ...]:
     return (*events, PolicyChosen(policy.to_json(), None if first else why))
 
 
-def _unplanned(mission: Mission, reason: str) -> Event:
+def _unplanned(mission: Mission, told: NotPlanned) -> tuple[Event, ...]:
     """Without a policy a change is not made; what was asked before is given up only without one."""
     if mission.change is not None:
-        return ChangeRefused(mission.change.by, mission.change.text, reason)
-    return _stopped(mission, reason)
+        return (ChangeRefused(mission.change.by, mission.change.text, told.reason),)
+    stopped = _stopped(mission, told.reason)
+    if not told.hopeless or mission.settled:
+        return (stopped,)
+    return (VerdictReached(Verdict.VIOLATED, reason=told.reason), stopped)
 
 
 def _reconsidered(mission: Mission, asked: ChangeAsked) -> tuple[Event, ...]:
@@ -372,13 +375,6 @@ def _deviation(mission: Mission) -> DeviationNoticed:
         covered=bool(nodes) or mission.satisfied,
         node=nodes[0] if nodes else None,
     )
-
-
-def _violated_clause(mission: Mission) -> str | None:
-    for part in mission.monitor.parts:
-        if part.verdict is Verdict.VIOLATED:
-            return unparse(part.formula)
-    return None
 
 
 def _stopped(mission: Mission, reason: str) -> MissionEnded:

@@ -44,7 +44,7 @@ Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
 """Stores events, all or none, before it returns."""
 Heed = Callable[[], None]
 """Called again and again by whoever takes long; what it raises ends the work."""
-Replanner = Callable[[State, Formula, Heed], Policy | str]
+Replanner = Callable[[State, Formula, Heed], Policy | NotPlanned]
 """Finds a policy from a state (static atoms included) to a goal, or says why there is none."""
 Requests = Callable[[], Observation | None]
 """What people, or another process, ask for meanwhile: one request at a time, never waiting."""
@@ -226,7 +226,7 @@ class _Edge:
             policy = self._plan(state, remaining, self._heed)
         except _Interrupted as interrupted:
             return interrupted.request
-        return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
+        return policy if isinstance(policy, NotPlanned) else Planned(policy)
 
     def _heed(self) -> None:
         request = self._requests()

@@ -39,6 +39,7 @@ from plainspoken.world.event import (
     RobotFound,
     RobotLost,
     Step,
+    VerdictReached,
 )
 from plainspoken.world.landmark import Landmarks, landmarks_from_json
 from plainspoken.world.pddl import parse_domain, parse_problem
@@ -95,6 +96,7 @@ class Moment:
         self.ended: MissionEnded | None = None
         self.paused = False
         self.lost: RobotLost | None = None
+        self.certain: tuple[Step, VerdictReached] | None = None
         self.doing: str | None = None
         self.overdue = False
         self._asked: list[tuple[Instant, Clauses]] = [(0, ((0, self.mission.goal),))]
@@ -151,6 +153,9 @@ class Moment:
             case RequestChanged(clauses=clauses):
                 asked = tuple((int(each["since"]), str(each["goal"])) for each in clauses)
                 self._asked.append((entry.instant, asked))
+                self.certain = None
+            case VerdictReached():
+                self.certain = entry.step, event
             case Paused() | Resumed():
                 self.paused = isinstance(event, Paused)
             case MissionEnded():

@@ -139,13 +139,18 @@ class DeviationNoticed:
 class VerdictReached:
     """From here on it is certain how the request ends, whatever happens next.
 
-    verdict: satisfied or violated
-    clause:  the conjunct that was violated, None where all are satisfied
+    verdict:  satisfied or violated; the instant's first entry is what brought it about
+    clause:   the conjunct that was violated, None where all are satisfied, or where no one is
+    together: the conjuncts that can each be met, but not together any more
+    reason:   why nothing that the domain knows of can meet the request any more, in words; None
+              where the verdict holds in whatever world
     """
 
     kind: ClassVar[str] = "verdict_reached"
     verdict: str
     clause: str | None = None
+    together: tuple[str, ...] = ()
+    reason: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
