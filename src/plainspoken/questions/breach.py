@@ -37,7 +37,7 @@ def tell_breach(draft: Draft, lost: Sequence[Demand]) -> None:
     moment = draft.moment
     instants = [at for demand in lost if (at := broken_at(moment, demand)) is not None]
     if instants:
-        draft.say(f"That was so from instant {min(instants)} on, {_cause(draft, min(instants))}")
+        draft.say(f"It was broken at instant {min(instants)}, {_cause(draft, min(instants))}")
 
 
 def tell_hopeless(draft: Draft) -> None:
