@@ -55,8 +55,8 @@ from plainspoken.work.shift import Shift, robots_of
     "faults",
     multiple=True,
     metavar="KIND[:CHANCE]",
-    help="What goes wrong with the simulated robot: failing, hanging, lying, lost, person. "
-    "May be repeated.",
+    help="What goes wrong with the simulated robot: failing, hanging, lying, lost, person, "
+    "drift, strange, unlucky. May be repeated.",
 )
 @click.option(
     "--action-timeout",
