@@ -88,6 +88,11 @@ from plainspoken.work.shift import Shift, robots_of
     help="Keep the simulated world there: like a real robot's, it goes on when this is killed.",
 )
 @click.option(
+    "--side-by-side",
+    is_flag=True,
+    help="Let different robots be at work at once, where that makes no difference but to the time.",
+)
+@click.option(
     "--detach",
     is_flag=True,
     help="Leave the mission to `plainspoken work`: print its name, and return.",
@@ -113,6 +118,7 @@ def run(
     pace: float,
     names: tuple[str, ...],
     world: Path | None,
+    side_by_side: bool,
     detach: bool,
     store: str | None,
     log: Path | None,
@@ -150,7 +156,8 @@ def run(
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    request = Request(id, formula, say, chosen.to_json())
+    robot_set = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
+    request = Request(id, formula, say, robot_set)
     with open_store(store) as kept:
         if detach:
             _left_to_workers(kept, site, request, ending.policy)

@@ -52,16 +52,22 @@ class PolicyChosen:
     """A policy was found and validated. `policy` is the document that `plan --out` writes.
 
     reason: None for the first one; why there is another for the next ones
+    repeats: where it is the one before, with an action taken out that was done before its turn,
+             the nodes that are new, each with the one whose place it has
     """
 
     kind: ClassVar[str] = "policy_chosen"
     policy: Mapping[str, Any]
     reason: str | None = None
+    repeats: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class ActionStarted:
-    """The robot was told to do an action; node is the policy node that says so."""
+    """The robot was told to do an action; node is the policy node that says so.
+
+    Another one may be under way: then this one is of another robot, and begins before its turn.
+    """
 
     kind: ClassVar[str] = "action_started"
     action: GroundAction
