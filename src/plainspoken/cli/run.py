@@ -13,11 +13,12 @@ from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
-from plainspoken.cli.robots import KINDS, chosen_robot, opened, robot_in
+from plainspoken.cli.robots import KINDS, Robots, chosen_robot, opened, robot_in
 from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.knowledge.jsonl import JsonlWriter
+from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission
@@ -149,8 +150,9 @@ def run(
         raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
-    with opened(site, chosen, mission=id, store=store):
-        pass  # before it is planned: what is wrong with a robots' file is known at once
+    if isinstance(chosen, Robots):
+        with open_store(store) as kept, opened(site, chosen, mission=id, store=kept):
+            pass  # before it is planned: what is wrong with a robots' file is known at once
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
@@ -171,7 +173,10 @@ def _left_to_workers(kept: Store, site: Site, request: Request, policy: Policy) 
     time = utc_now().isoformat(timespec="milliseconds")
     kept.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
     click.echo(request.mission)
-    if not kept.workers():
+    place = kept.place(request.mission)
+    if place is not None and place.standing is Standing.OVER:
+        click.echo("nothing is to be done: what is asked for holds already", err=True)
+    elif not kept.workers():
         click.echo("it waits for a worker; start one with: plainspoken work", err=True)
 
 
