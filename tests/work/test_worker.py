@@ -144,7 +144,7 @@ def test_a_worker_that_stops_hands_a_mission_on_with_its_action_under_way(
 def test_a_paused_mission_stays_paused_when_it_is_taken_over_in_the_middle_of_an_action(
     store: Store, tmp_path: Path
 ) -> None:
-    queue_up(store, "m", tmp_path / "world", pace=0.05)
+    queue_up(store, "m", tmp_path / "world", pace=0.5)
     with at_work(Worker(store, robot_for)):
         until(lambda: "action_started" in kinds(store, "m"))
         ask_of(store, "m", PauseAsked("ada"), ())
