@@ -109,6 +109,8 @@ def check(goal: str, entries: Sequence[Entry]) -> None:
                 del under_way[goal_id]
             case _:
                 pass
+    given_up = ("did not come to an end", "cannot be reached", "the robot forgot")
+    assert not under_way or any(why in (ended.reason or "") for why in given_up)
 
 
 def check_every_step(entries: Sequence[Entry]) -> None:
@@ -286,6 +288,23 @@ def test_an_early_action_that_fails_is_tried_again_and_not_more_often_than_other
     assert goal is not None
     now = advance(now.mission, ActionDone(goal.goal_id, done(now, goal.action)))
     assert len(now.mission.under_way) >= 1
+
+
+def test_a_robot_that_fails_again_and_again_is_given_up_once_the_other_is_done() -> None:
+    now = both()
+    second = now.mission.beside
+    assert second is not None
+    for _ in range(Limits().failures + 1):
+        goal = now.mission.in_flight
+        assert goal is not None
+        failed = ActionNotDone(goal.goal_id, "a wheel is stuck", now.mission.world)
+        now = advance(now.mission, failed)
+    assert now.mission.under_way == (second,)
+    assert not now.mission.is_over
+    now = advance(now.mission, ActionDone(second.goal_id, done(now, second.action)))
+    ended = now.events[-1]
+    assert isinstance(ended, MissionEnded)
+    assert (ended.reason or "").startswith("the robot failed 4 times in a row")
 
 
 # -- footprints --------------------------------------------------------------------------------

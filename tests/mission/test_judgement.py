@@ -144,7 +144,7 @@ def test_what_the_domain_cannot_mend_is_announced_as_lost_with_the_reason() -> N
     now = told.hears(ActionDone("m/2", gone))
     (command,) = now.commands
     assert isinstance(command, Plan)
-    found = replanner(site)(command.state, command.remaining)
+    found = replanner(site)(command.state, command.remaining, lambda: None)
     assert isinstance(found, NotPlanned)
     assert found.hopeless
     now = told.hears(found)

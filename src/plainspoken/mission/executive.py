@@ -201,7 +201,8 @@ def _heard(
                 f"{action} did not come to an end {seconds:.0f} s after it was given up; "
                 "it may still be under way"
             )
-            return (_stopped(mission, never),)
+            others = [each.action for each in mission.under_way if each != goal]
+            return (_stopped(mission, "; ".join([never, *(f"so may {each}" for each in others)])),)
         case _:
             assert_never(observation)
 
@@ -265,7 +266,10 @@ def _decision(mission: Mission) -> Event | None:
         return _decision_adrift(mission)
     if mission.paused_by is not None:
         return None
-    return _decision_at(mission, mission.node)
+    decided = _decision_at(mission, mission.node)
+    if mission.beside is not None and isinstance(decided, MissionEnded):
+        return None  # not while a robot is at something
+    return decided
 
 
 def _decision_adrift(mission: Mission) -> Event | None:

@@ -254,7 +254,11 @@ def after(mission: Mission, event: Event) -> Mission:
                 return replace(mission, in_flight=goal, sent=sent)
             return replace(mission, beside=goal, sent=sent)
         case ActionFinished(action, goal_id, state, node):
-            landed = replace(_over(_next_instant(mission, state, action), goal_id), failures=0)
+            # What another robot gets done does not mend what this one fails at.
+            beside = mission.beside is not None and mission.beside.goal_id == goal_id
+            failures = mission.failures if beside else 0
+            landed = _over(_next_instant(mission, state, action), goal_id)
+            landed = replace(landed, failures=failures)
             return landed if node is None else _at_node(landed, node)
         case ActionFailed(_, goal_id, _, state):
             failed = replace(_over(mission, goal_id), failures=mission.failures + 1)
