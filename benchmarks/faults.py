@@ -46,7 +46,7 @@ Mix = tuple[str, tuple[Fault, ...]]
 MIXES: list[Mix] = [
     ("none", ()),
     *((str(kind), (Fault(kind, STRIKES),)) for kind in FaultKind),
-    ("all five", tuple(Fault(kind, 0.1) for kind in FaultKind)),
+    ("all of them", tuple(Fault(kind, 0.1) for kind in FaultKind)),
 ]
 
 

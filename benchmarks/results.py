@@ -2,8 +2,8 @@
 
     python benchmarks/results.py FOLDER [--limit S]
 
-FOLDER holds planning.md, warm.md, automata.md, unripe.md, ripe.md and unchecked.md, as the
-benchmarks print them; S is the limit that planning.py was run with.
+FOLDER holds planning.md, warm.md, automata.md, unripe.md, ripe.md, unchecked.md, faults.md and
+adversary.md, as the benchmarks print them; S is the limit that planning.py was run with.
 """
 
 from __future__ import annotations
@@ -74,6 +74,20 @@ good, ripe or unripe. So every policy that is a graph of states has at least 2^n
 lines: what grows here is the answer, whoever searches for it.
 
 {unchecked}
+
+## Missions when something goes wrong
+
+What becomes of missions on a simulated robot that a kind of fault strikes, at three actions in
+ten, or that all strike: 20 seeds each, by `benchmarks/faults.py`. "Wrong" is a final verdict
+in the log that is not what the plain semantics says of the recorded trace.
+
+{faults}
+
+Adversaries of `benchmarks/adversary.py`: mixtures of all these faults, people who report what is
+so or is not, and chance that is unfair for ever. After every instant of every run the log's
+verdict, of the whole and of each clause, is compared with the plain semantics.
+
+{adversary}
 """
 
 
@@ -82,7 +96,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--limit", type=int, default=60)
     chosen = parser.parse_args()
-    names = ("planning", "warm", "automata", "unripe", "ripe", "unchecked")
+    names = ("planning", "warm", "automata", "unripe", "ripe", "unchecked", "faults", "adversary")
     tables = {name: (chosen.folder / f"{name}.md").read_text().strip() for name in names}
     machine = f"{os.cpu_count()} cores, {platform.machine()} {platform.system()}"
     machine += f", Python {platform.python_version()}"

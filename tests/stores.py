@@ -7,7 +7,13 @@ import pytest
 from benchmarks.postgres_server import new_database, server, why_not
 
 from plainspoken.cli.store import open_store
+from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.knowledge.store import Store
+
+
+def store_in(folder: Path) -> Store:
+    """The store of a folder, a SQLite file; a context that closes it."""
+    return Store(SqliteDatabase(folder / "store.sqlite"))
 
 
 @pytest.fixture(scope="session")

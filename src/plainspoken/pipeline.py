@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 from plainspoken.errors import PlainspokenError
 from plainspoken.logic.formula import Formula
 from plainspoken.planning.policy import Policy
-from plainspoken.planning.reason import Words
+from plainspoken.planning.reason import Words, is_hopeless
 from plainspoken.planning.solver import Ending, OutOfTime, Solved, Unsolvable, solve
 from plainspoken.planning.validation import Invalid, validate
 from plainspoken.planning.watch import Progress
@@ -273,12 +273,14 @@ def words_of(site: Site) -> Words:
 
 def replanner(site: Site) -> Replanner:
     """Plans again from wherever a mission is, for what is left of its goal."""
+    from plainspoken.mission.observation import NotPlanned
 
-    def plan(state: State, remaining: Formula, heed: Heed) -> Policy | str:
+    def plan(state: State, remaining: Formula, heed: Heed) -> Policy | NotPlanned:
         here = replace(site.problem, initial=state)
         ending = find_policy(here, remaining, on_progress=lambda _: heed())
         if isinstance(ending, Solved):
             return ending.policy
-        return why_not(ending, site)
+        hopeless = isinstance(ending, Unsolvable) and is_hopeless(ending.reason)
+        return NotPlanned(why_not(ending, site), hopeless)
 
     return plan

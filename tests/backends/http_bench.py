@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from tests.mission.small_vineyard import PROBLEM
+from tests.stores import store_in
 
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.mission.robot import Robot
@@ -52,7 +53,7 @@ class HttpBench:
         stack.callback(self.lose)
 
     def robot(self, state: State | None = None) -> Robot:
-        store = self.folder / "store.sqlite"
+        store = self._stack.enter_context(store_in(self.folder))
         return self._stack.enter_context(robot_from(self.file, PROBLEM, store, state=state))
 
     def begun(self) -> int:

@@ -10,10 +10,12 @@ from pathlib import Path
 import pytest
 from tests.backends.activities.errands import ARRIVED, PROBLEM
 from tests.mission.conformance import ended
+from tests.stores import store_in
 
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.backends.questions import Questions
 from plainspoken.errors import InputFileError, PlainspokenError
+from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.mission.robot import Failed, Robot, Succeeded, UnderWay
 from plainspoken.world.domain import State
 
@@ -34,12 +36,12 @@ GRASP_MUG = "grasp mug kitchen"
 def robot_in(folder: Path, text: str = FILE, state: State = ARRIVED) -> Iterator[Robot]:
     file = folder / "robots.yaml"
     file.write_text(text)
-    with robot_from(file, PROBLEM, folder / "store.sqlite", state=state) as robot:
+    with store_in(folder) as store, robot_from(file, PROBLEM, store, state=state) as robot:
         yield robot
 
 
 def questions_in(folder: Path) -> Questions:
-    return Questions(folder / "store.sqlite")
+    return Questions(SqliteDatabase(folder / "store.sqlite"))
 
 
 @pytest.mark.parametrize(("said", "held"), [("yes", True), (" NO ", False)])

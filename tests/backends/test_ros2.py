@@ -21,6 +21,7 @@ from tests.backends.activities.errands import ARRIVED, GO, PROBLEM, robot_of
 from tests.mission import small_vineyard
 from tests.mission.conformance import RobotConformance, ended
 from tests.mission.small_vineyard import accepted, policy_for, replanned
+from tests.stores import store_in
 
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.backends.activities.robot import ActivityRobot
@@ -136,7 +137,8 @@ class Ros2Bench:
         return text.replace("NAMESPACE", self.namespace)
 
     def robot(self, state: State | None = None) -> Robot:
-        file, store = self.folder / "robots.yaml", self.folder / "store.sqlite"
+        file = self.folder / "robots.yaml"
+        store = self._stack.enter_context(store_in(self.folder))
         file.write_text(self.file(VINEYARD))
         return self._stack.enter_context(robot_from(file, self.problem, store, state=state))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -23,6 +24,7 @@ from plainspoken.backends.questions import Questions
 from plainspoken.cli.robots import Robots, asking_here, chosen_robot, reach, robot_in
 from plainspoken.cli.simulated import Settings
 from plainspoken.errors import PlainspokenError
+from plainspoken.knowledge.store import Store
 from plainspoken.mission.robot import Robot
 from plainspoken.mission.run import heeding
 from plainspoken.pipeline import bundled, open_site
@@ -60,6 +62,13 @@ def far(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Far]:
         yield far
 
 
+@pytest.fixture
+def kept(far: Far, store_url: str, monkeypatch: pytest.MonkeyPatch) -> Far:
+    """The same, with the missions in a store of each kind."""
+    monkeypatch.setenv("PLAINSPOKEN_STORE", store_url)
+    return far
+
+
 def command(*arguments: str | Path) -> list[str | Path]:
     return [sys.executable, "-m", "plainspoken", *arguments]
 
@@ -90,10 +99,10 @@ def events_in(log: Path) -> list[dict[str, Any]]:
 
 
 def test_a_mission_asks_a_person_waits_and_goes_on_with_the_answer(
-    far: Far, tmp_path: Path
+    kept: Far, tmp_path: Path
 ) -> None:
     log = tmp_path / "run.jsonl"
-    run = started("run", "--goal", "F cleared_l1", "--robots", far.file, "--log", log)
+    run = started("run", "--goal", "F cleared_l1", "--robots", kept.file, "--log", log)
     asked = question()
     assert asked["question"] == "Is the grape g1 on l1 ripe or unripe?"
     assert plainspoken("answer", "blue").returncode == 2
@@ -115,16 +124,16 @@ def test_a_mission_asks_a_person_waits_and_goes_on_with_the_answer(
 
 
 def test_a_mission_that_was_killed_while_it_waited_is_resumed_and_nothing_is_done_twice(
-    far: Far,
+    kept: Far,
 ) -> None:
-    run = started("run", "--goal", "F cleared_l1", "--robots", far.file)
+    run = started("run", "--goal", "F cleared_l1", "--robots", kept.file)
     mission, _, _ = question()["call"].partition("/")
     run.send_signal(signal.SIGKILL)
     run.wait()
     assert plainspoken("answer", "unripe").returncode == 0, "it may be answered meanwhile"
     again = plainspoken("missions", "resume", mission, "--json")
     assert again.returncode == 0, again.stderr
-    assert len(far.robot.begun) == 3, "to go there, to look, to sign off: each of them once"
+    assert len(kept.robot.begun) == 3, "to go there, to look, to sign off: each of them once"
     assert json.loads(again.stdout.splitlines()[-1])["satisfied"]
 
 
@@ -199,27 +208,29 @@ def test_a_mission_that_is_left_to_a_worker_asks_waits_and_is_carried_out_by_it(
 
 
 def test_a_worker_goes_on_where_another_was_killed_and_nothing_is_done_twice(
-    far: Far, tmp_path: Path
+    kept: Far, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     goal = "F(robot_at_rob_l2 & F(robot_at_rob_l0 & F robot_at_rob_wh))"
-    left = plainspoken("run", "--goal", goal, "--robots", far.file, "--detach")
+    left = plainspoken("run", "--goal", goal, "--robots", kept.file, "--detach")
     killed = 0
     worker = started("work", "--until-done")
     while killed < 3:
-        before = len(far.robot.begun)
-        wait_until(lambda b=before, w=worker: len(far.robot.begun) > b or w.poll() is not None)
+        before = len(kept.robot.begun)
+        wait_until(lambda b=before, w=worker: len(kept.robot.begun) > b or w.poll() is not None)
         if worker.poll() is not None:
             break
         worker.kill()
         worker.wait()
         killed += 1
+        if "://" in os.environ["PLAINSPOKEN_STORE"]:  # as on another machine: no file is shared
+            monkeypatch.setenv("PLAINSPOKEN_HOME", str(tmp_path / f"machine {killed}"))
         worker = started("work", "--until-done")
     assert worker.wait(timeout=PATIENCE) == 0
     assert killed > 1
     log = tmp_path / "run.jsonl"
     assert plainspoken("missions", "log", left.stdout.strip(), "--out", log).returncode == 0
     finished = [e["action"] for e in events_in(log) if e["kind"] == "action_finished"]
-    assert [far.robot.action(call) for call in far.robot.begun] == finished
+    assert [kept.robot.action(call) for call in kept.robot.begun] == finished
     assert events_in(log)[-1]["satisfied"]
 
 
@@ -261,14 +272,13 @@ def test_missions_of_one_file_wait_for_each_other_unless_they_have_other_names(f
 @pytest.mark.parametrize(
     "arguments", [("run", "--goal", "F cleared_l1", "--robots", "FILE", "--detach"), ("answer",)]
 )
-def test_a_store_that_no_journal_can_lie_beside_is_refused(
+def test_a_store_that_cannot_be_reached_is_named_without_its_password(
     far: Far, arguments: tuple[str, ...]
 ) -> None:
     told = [str(far.file) if each == "FILE" else each for each in arguments]
     done = plainspoken(*told, "--store", "postgresql://farm:secret@nowhere.invalid/missions")
     assert done.returncode == 2
-    assert "beside a SQLite store" in done.stderr
-    assert "give --store PATH" in done.stderr
+    assert "farm@nowhere.invalid" in done.stderr
     assert "secret" not in done.stderr
 
 
@@ -371,9 +381,8 @@ def test_what_people_report_is_told_to_a_robot_that_only_believes() -> None:
     assert robot.told == [(["full b"], [])]
 
 
-def test_the_person_at_the_terminal_is_asked_until_there_is_an_answer(tmp_path: Path) -> None:
-    store = tmp_path / "store.sqlite"
-    questions = Questions(store)
+def test_the_person_at_the_terminal_is_asked_until_there_is_an_answer(store: Store) -> None:
+    questions = Questions(store.database)
     questions.ask("other/1:0#1", "Not for us?", ["yes"])
     questions.ask("m/1:0#1", "Ripe?", ["ripe", "unripe"])
     said: list[str] = []

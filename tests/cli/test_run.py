@@ -40,3 +40,17 @@ def test_a_fault_that_does_not_exist_is_named_with_those_that_do() -> None:
     done = run("--fault", "sulking")
     assert done.returncode == 2
     assert "failing, hanging" in done.stderr
+
+
+def test_verdicts_tells_how_the_request_stands_after_each_instant(tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    assert run("--log", str(log)).returncode == 0
+    told = [sys.executable, "-m", "plainspoken", "missions", "verdicts", "--log", str(log)]
+    done = subprocess.run([*told, "--json"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    judged = [json.loads(line) for line in done.stdout.splitlines()]
+    last = json.loads(log.read_text().splitlines()[-1])
+    assert [each["instant"] for each in judged] == list(range(last["instant"] + 1))
+    assert [each["verdict"] for each in judged] == ["open"] * last["instant"] + ["satisfied"]
+    table = subprocess.run(told, capture_output=True, text=True, check=False)
+    assert "F cleared_l2: satisfied" in table.stdout

@@ -5,6 +5,7 @@ from pathlib import Path
 from tests.mission.brute_force import solved
 
 from plainspoken.logic.formula import Formula
+from plainspoken.mission.observation import NotPlanned
 from plainspoken.mission.request import acceptance
 from plainspoken.mission.run import Heed
 from plainspoken.planning.policy import Policy
@@ -34,6 +35,6 @@ def policy_for(goal: Formula) -> Policy:
     return policy
 
 
-def replanned(state: State, remaining: Formula, heed: Heed = lambda: None) -> Policy | str:
+def replanned(state: State, remaining: Formula, heed: Heed = lambda: None) -> Policy | NotPlanned:
     heed()
-    return solved(PROBLEM, state, remaining) or "there is no policy"
+    return solved(PROBLEM, state, remaining) or NotPlanned("there is no policy")

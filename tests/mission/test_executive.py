@@ -19,6 +19,7 @@ from plainspoken.mission.observation import (
     TakeUpAsked,
     Told,
 )
+from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import State
 from plainspoken.world.event import (
     DeviationNoticed,
@@ -123,7 +124,7 @@ def test_a_node_with_the_right_state_and_another_memory_of_the_goal_is_not_gone_
     (command,) = now.commands
     assert isinstance(command, Plan)
     policy = replanned(command.state, command.remaining)
-    assert not isinstance(policy, str)
+    assert isinstance(policy, Policy)
     assert {node.action for node in policy.nodes} == {
         "sign-off rob l0",
         "move rob l0 wh",
@@ -137,7 +138,7 @@ def test_the_plan_asked_for_is_for_what_is_left_of_the_goal() -> None:
     (command,) = now.commands
     assert isinstance(command, Plan)
     policy = replanned(command.state, command.remaining)
-    assert not isinstance(policy, str)
+    assert isinstance(policy, Policy)
     now = advance(now.mission, Planned(policy))
     assert kinds(now) == ["policy_chosen", "action_started"]
     assert isinstance(now.events[0], PolicyChosen)
@@ -149,7 +150,7 @@ def test_a_plan_that_forgets_what_is_left_of_the_goal_is_refused() -> None:
     (command,) = now.commands
     assert isinstance(command, Plan)
     policy = replanned(command.state, parse("F full_b"))
-    assert not isinstance(policy, str)
+    assert isinstance(policy, Policy)
     now = advance(now.mission, Planned(policy))
     assert isinstance(now.events[0], MissionEnded)
     assert now.events[0].outcome == "stopped"
@@ -304,7 +305,7 @@ def test_it_does_not_plan_anew_for_ever() -> None:
             case (Plan(state, remaining),):
                 asked += 1
                 policy = replanned(state, remaining)
-                assert not isinstance(policy, str)
+                assert isinstance(policy, Policy)
                 now = advance(now.mission, Planned(policy))
             case _:
                 strange = frozenset({f"picked g{now.mission.instant}"})

@@ -23,6 +23,7 @@ from plainspoken.mission.executive import Advance, accept, advance
 from plainspoken.mission.mission import Mission, Status, mission_from
 from plainspoken.mission.observation import (
     CancelAsked,
+    NotPlanned,
     Observation,
     PauseAsked,
     ResumeAsked,
@@ -189,8 +190,8 @@ def test_a_run_that_is_killed_after_any_entry_goes_on_as_it_would_have(
     ]
 
 
-def no_plan(_state: State, _remaining: Formula, _heed: Heed) -> Policy | str:
-    return "nobody plans here"
+def no_plan(_state: State, _remaining: Formula, _heed: Heed) -> Policy | NotPlanned:
+    return NotPlanned("nobody plans here")
 
 
 def asking(*requests: tuple[int, Observation]) -> Requests:
@@ -383,7 +384,7 @@ class Endless:
     def __init__(self) -> None:
         self.states: list[State] = []
 
-    def __call__(self, state: State, remaining: Formula, heed: Heed) -> Policy | str:
+    def __call__(self, state: State, remaining: Formula, heed: Heed) -> Policy | NotPlanned:
         self.states.append(state)
         while len(self.states) == 1:
             heed()

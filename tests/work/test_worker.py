@@ -20,6 +20,7 @@ from tests.work.workshop import (
 )
 
 from plainspoken.cli.store import open_store
+from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.log import OvertakenError
 from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
@@ -143,7 +144,7 @@ def test_a_worker_that_stops_hands_a_mission_on_with_its_action_under_way(
 def test_a_paused_mission_stays_paused_when_it_is_taken_over_in_the_middle_of_an_action(
     store: Store, tmp_path: Path
 ) -> None:
-    queue_up(store, "m", tmp_path / "world", pace=0.05)
+    queue_up(store, "m", tmp_path / "world", pace=0.5)
     with at_work(Worker(store, robot_for)):
         until(lambda: "action_started" in kinds(store, "m"))
         ask_of(store, "m", PauseAsked("ada"), ())
@@ -251,3 +252,17 @@ def test_what_no_version_of_ours_can_read_in_the_mailbox_is_passed_over(
     store.post("m", '{"ask": "dance"}')
     Worker(store, robot_for).run(until_done=True)
     assert standing(store, "m").status is Status.FINISHED
+
+
+def test_a_mission_whose_goal_holds_already_is_over_before_a_worker_looks(
+    store: Store, tmp_path: Path
+) -> None:
+    queue_up(store, "m", tmp_path / "world", goal="F robot_at_rob_wh", robot="rob")
+    queue_up(store, "next", tmp_path / "world", robot="rob")
+    place = store.place("m")
+    assert place is not None
+    assert place.standing is Standing.OVER
+    assert standing(store, "m").status is Status.FINISHED
+    assert store.ahead_of("next") == ()
+    with pytest.raises(PlainspokenError, match="it is over"):
+        store.post("m", "{}")

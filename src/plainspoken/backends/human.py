@@ -6,8 +6,8 @@
       ask-human:
         do: {call: person, with: {question: "Is {g} ripe?", answers: [ripe, unripe]}}
 
-A question is a row in a file beside the store, so it outlives the process that asked. Whoever
-answers, with `plainspoken answer` or from another program, writes into the same file.
+A question is a row in the store, so it outlives the process that asked. Whoever answers, with
+`plainspoken answer` or from another program or machine, writes into the same row.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def open_adapter(settings: Section | None, around: Around) -> HumanAdapter:
     """The adapter; there is nothing to set."""
     if settings is not None:
         settings.only()
-    return HumanAdapter(Questions(around.store))
+    return HumanAdapter(Questions(around.store.database))
 
 
 @dataclass(frozen=True)

@@ -187,7 +187,7 @@ class MissionService:
 
     def _carried_out(self, call: CallId, fields: Fields, run: _Run) -> Done | NotDone:
         with ExitStack() as stack:
-            kept = stack.enter_context(self.around.log())
+            kept = self.around.store
             entries = kept.entries(call)
             robot = stack.enter_context(self._robot(self._first(fields, entries)))
             events = self._events(call, fields, robot, kept, run)

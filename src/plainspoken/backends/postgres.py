@@ -215,5 +215,18 @@ def m001_missions(session: Session) -> None:
     session.change("CREATE INDEX message_open ON message (mission) WHERE answered IS NULL")
 
 
-CHANGES: tuple[Callable[[Session], None], ...] = (m001_missions,)
+def m002_robots(session: Session) -> None:
+    """What robots of a file were told, and what people are asked."""
+    session.change(
+        "CREATE TABLE note (subject TEXT NOT NULL, topic TEXT NOT NULL, document TEXT NOT NULL,"
+        " PRIMARY KEY (subject, topic))"
+    )
+    session.change(
+        "CREATE TABLE question (number BIGSERIAL PRIMARY KEY, call TEXT NOT NULL UNIQUE,"
+        " question TEXT NOT NULL, answers TEXT NOT NULL, asked TEXT NOT NULL, answer TEXT,"
+        " reporter TEXT, answered TEXT, withdrawn INTEGER NOT NULL DEFAULT 0)"
+    )
+
+
+CHANGES: tuple[Callable[[Session], None], ...] = (m001_missions, m002_robots)
 """Each changes the tables by one version; none is ever edited."""

@@ -1,28 +1,18 @@
-"""Questions to people, in a file beside the store, so that they outlive whoever asked them."""
+"""Questions to people, kept in the store, so that they outlive whoever asked them."""
 
 from __future__ import annotations
 
-import sqlite3
-from collections.abc import Iterator, Sequence
-from contextlib import closing, contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from pathlib import Path
 
 from plainspoken.errors import PlainspokenError
+from plainspoken.knowledge.database import Database
 from plainspoken.mission.robot import Unheard
 from plainspoken.mission.service import CallId, CallStatus, Done, Going, NotDone
 
-QUESTIONS = ".questions.sqlite"
-"""Where questions are kept: beside the store, under its name."""
 CANNOT = "cannot"
 """The answer of a person who could not do what was asked."""
-_TABLE = """
-create table if not exists question (
-    call text primary key, question text not null, answers text not null, asked text not null,
-    answer text, reporter text, answered text, withdrawn integer not null default 0
-)
-"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,27 +26,27 @@ class Question:
 
 
 class Questions:
-    """The questions to people, in a file that several processes share."""
+    """The questions to people, which several processes share."""
 
-    def __init__(self, store: Path) -> None:
-        self._path = store.with_name(store.name + QUESTIONS)
+    def __init__(self, database: Database) -> None:
+        self._database = database
 
     def ask(self, call: CallId, text: str, answers: Sequence[str]) -> None:
         """Put a question, once."""
-        with self._connection() as connection:
-            connection.execute(
-                "insert or ignore into question (call, question, answers, asked)"
-                " values (?, ?, ?, ?)",
+        with self._database.writing() as session:
+            session.change(
+                "INSERT INTO question (call, question, answers, asked) VALUES (?, ?, ?, ?)"
+                " ON CONFLICT (call) DO NOTHING",
                 (call, text, "\n".join(answers), datetime.now(UTC).isoformat(timespec="seconds")),
             )
 
     def open(self) -> tuple[Question, ...]:
         """The questions that nobody has answered, the oldest first."""
-        with self._connection() as connection:
-            rows = connection.execute(
-                "select call, question, answers, asked from question"
-                " where answer is null and not withdrawn order by rowid"
-            ).fetchall()
+        with self._database.reading() as session:
+            rows = session.rows(
+                "SELECT call, question, answers, asked FROM question"
+                " WHERE answer IS NULL AND withdrawn = 0 ORDER BY number"
+            )
         return tuple(
             Question(call, text, tuple(answers.split("\n")) if answers else (), asked)
             for call, text, answers, asked in rows
@@ -80,10 +70,10 @@ class Questions:
                 f"{said!r} does not answer: {question.text}",
                 hint=f"one of: {', '.join(known.values())}",
             )
-        with self._connection() as connection:
-            changed = connection.execute(
-                "update question set answer = ?, reporter = ?, answered = ?"
-                " where call = ? and answer is null and not withdrawn",
+        with self._database.writing() as session:
+            changed = session.change(
+                "UPDATE question SET answer = ?, reporter = ?, answered = ?"
+                " WHERE call = ? AND answer IS NULL AND withdrawn = 0",
                 (
                     known.get(said.lower(), said),
                     reporter,
@@ -91,26 +81,26 @@ class Questions:
                     call,
                 ),
             )
-        if not changed.rowcount:  # somebody else was faster
+        if not changed:  # somebody else was faster
             raise none
 
     def withdraw(self, call: CallId) -> None:
         """Nobody needs to answer any more."""
-        with self._connection() as connection:
-            connection.execute(
-                "update question set withdrawn = 1 where call = ? and answer is null", (call,)
+        with self._database.writing() as session:
+            session.change(
+                "UPDATE question SET withdrawn = 1 WHERE call = ? AND answer IS NULL", (call,)
             )
 
     def status(self, call: CallId) -> CallStatus:
         """What became of a question, as of any call."""
-        with self._connection() as connection:
-            row = connection.execute(
-                "select question, answer, reporter, withdrawn from question where call = ?",
+        with self._database.reading() as session:
+            rows = session.rows(
+                "SELECT question, answer, reporter, withdrawn FROM question WHERE call = ?",
                 (call,),
-            ).fetchone()
-        if row is None:
+            )
+        if not rows:
             return Unheard()
-        text, answer, reporter, withdrawn = row
+        text, answer, reporter, withdrawn = rows[0]
         if answer == CANNOT:
             return NotDone(f"{reporter} could not: {text}")
         if answer is not None:
@@ -120,16 +110,3 @@ class Questions:
             if withdrawn
             else Going({"doing": f"a person is asked: {text}"})
         )
-
-    @contextmanager
-    def _connection(self) -> Iterator[sqlite3.Connection]:
-        """Opened for each use: another process may be at it, and threads share nothing."""
-        try:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            with closing(sqlite3.connect(self._path, timeout=10)) as connection, connection:
-                connection.execute(_TABLE)
-                yield connection
-        except sqlite3.Error as error:
-            raise PlainspokenError(
-                f"cannot use the questions to people: {error}", where=str(self._path)
-            ) from error

@@ -10,7 +10,7 @@ from rich.table import Table
 
 from plainspoken.backends.questions import Question, Questions
 from plainspoken.cli.robots import person
-from plainspoken.cli.store import store_file, store_option
+from plainspoken.cli.store import open_store, store_option
 from plainspoken.errors import PlainspokenError
 
 
@@ -33,13 +33,14 @@ def answer(
     plainspoken answer ripe
     plainspoken answer --call 1122-093005-7f3a/4:0#1 cannot
     """
-    questions = Questions(store_file(store))
-    found = questions.open()
-    if answer is not None:
-        chosen = _chosen(found, call)
-        questions.answer(chosen.call, answer, by or person())
-        click.echo(f"answered: {chosen.text}")
-        return
+    with open_store(store) as kept:
+        questions = Questions(kept.database)
+        found = questions.open()
+        if answer is not None:
+            chosen = _chosen(found, call)
+            questions.answer(chosen.call, answer, by or person())
+            click.echo(f"answered: {chosen.text}")
+            return
     if as_json:
         rows = [{"call": q.call, "question": q.text, "answers": q.answers} for q in found]
         click.echo(json.dumps(rows, indent=2, ensure_ascii=False))

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from plainspoken.cli.batch import batch_options, run_batch
 from plainspoken.cli.site import FILE
@@ -133,7 +134,9 @@ def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) 
 
 
 def _entries(log: Path | None, mission: str | None, store: str | None) -> Sequence[Entry]:
-    if log is not None and (mission is not None or store is not None):
+    source = click.get_current_context().get_parameter_source("store")
+    named = store is not None and source is not ParameterSource.ENVIRONMENT
+    if log is not None and (mission is not None or named):
         raise click.UsageError("give --log, or --mission and --store")
     if log is not None:
         return read_jsonl(log).entries

@@ -14,7 +14,6 @@ from rich.console import Console
 from plainspoken.cli.exit import NO
 from plainspoken.cli.record import written_too
 from plainspoken.cli.robots import asking_here, robot_for
-from plainspoken.cli.store import store_file
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.mission.mailbox import to_message
@@ -25,7 +24,7 @@ from plainspoken.pipeline import Site, accepted_of, take_up
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.work.fenced import FencedRobot
 from plainspoken.work.shift import TICK, Held, Shift, standing_of
-from plainspoken.world.event import Entry
+from plainspoken.world.event import Entry, MissionEnded
 
 Run = Generator[Entry, None, Mission]
 
@@ -44,17 +43,19 @@ def going_on(
     Ctrl-C while it waits cancels it.
     """
     yield from first
+    over = bool(first) and isinstance(first[-1].event, MissionEnded)
     try:
-        _await_turn(shift, held)
+        if not over:
+            _await_turn(shift, held)
     except KeyboardInterrupt:
         shift.store.post(held.mission, to_message(CancelAsked("keyboard")))
     shift.tick()
     entries = held.entries()
-    set_up, store = accepted_of(entries).robot, shift.store.database.place
+    set_up, store = accepted_of(entries).robot, shift.store
     with ExitStack() as stack:
         robot, patience = stack.enter_context(robot_for(store, site, set_up, entries, pace=pace))
         if "robots" in set_up:
-            stack.enter_context(asking_here(store_file(store), held.mission))
+            stack.enter_context(asking_here(store, held.mission))
         return (
             yield from take_up(
                 site,

@@ -18,6 +18,7 @@ from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.record import fresh_file
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
+from plainspoken.cli.verdicts import verdicts
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
 from plainspoken.mission.mailbox import to_message
@@ -200,3 +201,6 @@ def log(id: str, store: str | None, out: Path, *, overwrite: bool) -> None:
             click.echo(f"plainspoken: step {broken.step}: {broken.what}", err=True)
             raise SystemExit(NO)
         write_jsonl(kept.links(id), out)
+
+
+missions.add_command(verdicts)

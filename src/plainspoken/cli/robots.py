@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any, TextIO
 import click
 
 from plainspoken.cli.simulated import Settings, simulated
-from plainspoken.cli.store import store_file
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.log import store_path
 from plainspoken.knowledge.queue import RobotName
+from plainspoken.knowledge.store import Store
 from plainspoken.mission.mission import MissionId, mission_from
 from plainspoken.mission.robot import Robot, Seconds
 from plainspoken.mission.run import Patience
@@ -105,32 +104,32 @@ def opened(
     chosen: Chosen,
     *,
     mission: MissionId,
-    store: str | None,
+    store: Store | None,
     pace: float | None = None,
     entries: Sequence[Entry] = (),
 ) -> Iterator[tuple[Robot, Patience]]:
     """The robot of a mission with such a log so far, and what the mission is timed by.
 
-    store: the one that `--store` names
+    store: keeps what robots of a file were told; a simulated one needs none
     pace:  None for the one in the settings
-    raises PlainspokenError: when its settings or its file are wrong, an extra is missing, or
-        nothing can be kept beside the store
+    raises PlainspokenError: when its settings or its file are wrong, or an extra is missing
     """
     if isinstance(chosen, Settings):
         yield simulated(site, chosen, mission=mission, pace=pace, entries=entries)
         return
     state = mission_from(entries).world if entries else None
+    if store is None:
+        raise AssertionError("what robots of a file were told is kept in a store")
     limit = chosen.limit
-    beside = store_file(store)
     with _configuration().robot_from(
-        chosen.file, site.problem, beside, via=chosen.via, state=state
+        chosen.file, site.problem, store, via=chosen.via, state=state
     ) as robot:
         yield robot, Patience(action=lambda _: limit)
 
 
 @contextmanager
 def robot_for(
-    store: str | None,
+    store: Store,
     site: Site,
     set_up: Mapping[str, Any],
     entries: Sequence[Entry],
@@ -148,7 +147,7 @@ def reach(file: Path, site: Site) -> dict[str, str]:
 
     raises PlainspokenError: when the file is wrong, or an extra is missing
     """
-    found: dict[str, str] = _configuration().reached(file, site.problem, store_path(None), None)
+    found: dict[str, str] = _configuration().reached(file, site.problem, None)
     return found
 
 
@@ -162,7 +161,7 @@ def _configuration() -> ModuleType:
 
 @contextmanager
 def asking_here(
-    store: Path,
+    store: Store,
     mission: MissionId,
     lines: TextIO | None = None,
     say: Callable[[str], None] = click.echo,
@@ -179,7 +178,7 @@ def asking_here(
 
     over = threading.Event()
     asked = threading.Thread(
-        target=_ask, args=(Questions(store), mission, lines, say, over), daemon=True
+        target=_ask, args=(Questions(store.database), mission, lines, say, over), daemon=True
     )
     asked.start()
     try:

@@ -13,11 +13,12 @@ from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
-from plainspoken.cli.robots import KINDS, chosen_robot, opened, robot_in
+from plainspoken.cli.robots import KINDS, Robots, chosen_robot, opened, robot_in
 from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.knowledge.jsonl import JsonlWriter
+from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission
@@ -55,8 +56,8 @@ from plainspoken.work.shift import Shift, robots_of
     "faults",
     multiple=True,
     metavar="KIND[:CHANCE]",
-    help="What goes wrong with the simulated robot: failing, hanging, lying, lost, person. "
-    "May be repeated.",
+    help="What goes wrong with the simulated robot: failing, hanging, lying, lost, person, "
+    "drift, strange, unlucky. May be repeated.",
 )
 @click.option(
     "--action-timeout",
@@ -88,6 +89,11 @@ from plainspoken.work.shift import Shift, robots_of
     help="Keep the simulated world there: like a real robot's, it goes on when this is killed.",
 )
 @click.option(
+    "--side-by-side",
+    is_flag=True,
+    help="Let different robots be at work at once, where that makes no difference but to the time.",
+)
+@click.option(
     "--detach",
     is_flag=True,
     help="Leave the mission to `plainspoken work`: print its name, and return.",
@@ -113,6 +119,7 @@ def run(
     pace: float,
     names: tuple[str, ...],
     world: Path | None,
+    side_by_side: bool,
     detach: bool,
     store: str | None,
     log: Path | None,
@@ -143,14 +150,16 @@ def run(
         raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
-    with opened(site, chosen, mission=id, store=store):
-        pass  # before it is planned: what is wrong with a robots' file is known at once
+    if isinstance(chosen, Robots):
+        with open_store(store) as kept, opened(site, chosen, mission=id, store=kept):
+            pass  # before it is planned: what is wrong with a robots' file is known at once
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    request = Request(id, formula, say, chosen.to_json())
+    robot_set = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
+    request = Request(id, formula, say, robot_set)
     with open_store(store) as kept:
         if detach:
             _left_to_workers(kept, site, request, ending.policy)
@@ -164,7 +173,10 @@ def _left_to_workers(kept: Store, site: Site, request: Request, policy: Policy) 
     time = utc_now().isoformat(timespec="milliseconds")
     kept.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
     click.echo(request.mission)
-    if not kept.workers():
+    place = kept.place(request.mission)
+    if place is not None and place.standing is Standing.OVER:
+        click.echo("nothing is to be done: what is asked for holds already", err=True)
+    elif not kept.workers():
         click.echo("it waits for a worker; start one with: plainspoken work", err=True)
 
 

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 import click
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.database import without_password
 from plainspoken.knowledge.log import store_path
 from plainspoken.knowledge.store import Store
 from plainspoken.world.event import Entry
@@ -37,21 +35,6 @@ def open_store(url: str | None) -> Store:
     from plainspoken.knowledge.sqlite import SqliteDatabase
 
     return Store(SqliteDatabase(store_path(url)))
-
-
-def store_file(place: str | None) -> Path:
-    """The file that a store is; beside it lie the journal of robots and the questions to people.
-
-    raises PlainspokenError: when the store is in PostgreSQL
-    """
-    if place and place.startswith(POSTGRES):
-        # A journal on one machine would let a worker on another one repeat a call.
-        raise PlainspokenError(
-            "robots of a file keep their journal, and questions to people, beside a SQLite store",
-            where=without_password(place),
-            hint="give --store PATH, and have all workers of these robots on that machine",
-        )
-    return store_path(place)
 
 
 def entries_in(kept: Store, mission: str | None) -> Sequence[Entry]:

@@ -11,6 +11,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table
 from rich.text import Text
 
+from plainspoken.logic.english import say
+from plainspoken.logic.syntax import parse
 from plainspoken.mission.mission import Mission
 from plainspoken.planning.policy import Policy, policy_from_json
 from plainspoken.questions.lexicon import Lexicon
@@ -37,6 +39,7 @@ from plainspoken.world.event import (
     RobotFound,
     RobotLost,
     TakenUp,
+    VerdictReached,
 )
 
 ROWS = 14
@@ -70,6 +73,7 @@ class Scoreboard:
         self._bar = self._progress.add_task("shortest way", total=None)
         self._done = 0
         self._printed = 0
+        self._going: dict[str, Row] = {}
 
     def __rich__(self) -> Group:
         return Group(self._table(self._rows[-ROWS:]), self._progress)
@@ -94,29 +98,42 @@ class Scoreboard:
         match entry.event:
             case MissionAccepted(state=state):
                 self._state = state
-            case PolicyChosen(document, reason):
+            case PolicyChosen(document, reason, repeats):
                 self._distance = distances(policy_from_json(document, "policy"))
-                if reason is not None:
+                if reason is not None and not repeats:
                     self._rows.append(Row("", f"planned again: {reason}", "", "yellow"))
                 self._advance_bar(document["initial"])
-            case ActionStarted(action):
+            case ActionStarted(action, _, goal_id):
                 doing = self._lexicon.deed(action).doing
-                self._rows.append(Row("", f"{doing} ...", "", UNDER_WAY))
-            case ActionProgressed(doing=part) if part is not None and self._under_way:
-                self._rows[-1] = replace(self._rows[-1], seen=part)
-            case ActionFinished(action, _, state, node, misreported):
+                self._going[goal_id] = Row("", f"{doing} ...", "", UNDER_WAY)
+                self._rows.append(self._going[goal_id])
+            case ActionProgressed(goal_id, _, part) if part is not None and goal_id in self._going:
+                row = self._going[goal_id]
+                self._going[goal_id] = replace(row, seen=part)
+                self._rows[self._place_of(row)] = self._going[goal_id]
+            case ActionFinished(action, goal_id, state, node, misreported):
                 news = self._news(state)
                 if misreported:
                     news += " (the robot said otherwise)"
-                self._settle(Row(str(entry.instant), self._lexicon.deed(action).doing, news))
+                self._settle(
+                    goal_id, Row(str(entry.instant), self._lexicon.deed(action).doing, news)
+                )
                 self._done += 1
                 self._advance_bar(node)
-            case ActionFailed(action, _, reason, state):
+            case ActionFailed(action, goal_id, reason, state):
                 doing = self._lexicon.deed(action).doing
-                self._settle(Row(str(entry.instant), doing, f"failed: {reason}", "red"))
+                self._settle(goal_id, Row(str(entry.instant), doing, f"failed: {reason}", "red"))
                 self._state = state
+            case VerdictReached("violated", clause, together):
+                lost = " | ".join(
+                    say(parse(each), self._lexicon.landmarks).rstrip(".")
+                    for each in together or (() if clause is None else (clause,))
+                )
+                row = Row("", "cannot be met any more", lost, "bold red")
+                self._rows.insert(len(self._rows) - self._under_way, row)
             case MissionEnded(outcome, satisfied):
                 verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
+                self._going.clear()
                 self._rows.append(
                     Row("", outcome, verdict, "bold green" if satisfied else "bold red")
                 )
@@ -128,15 +145,22 @@ class Scoreboard:
                     )
 
     @property
-    def _under_way(self) -> bool:
-        return bool(self._rows) and self._rows[-1].style == UNDER_WAY
+    def _under_way(self) -> int:
+        """How many actions are under way; theirs are the last rows."""
+        return len(self._going)
 
-    def _settle(self, row: Row) -> None:
-        """What became of the action under way, in the place of its row."""
-        if self._under_way:
-            self._rows[-1] = row
-        else:
-            self._rows.append(row)
+    def _place_of(self, row: Row) -> int:
+        """Where the row of an action under way is; it is one of the last."""
+        first = len(self._rows) - len(self._going)
+        return first + self._rows[first:].index(row)
+
+    def _settle(self, goal_id: str, row: Row) -> None:
+        """What became of an action, before the rows of those that are still under way."""
+        going = self._going.get(goal_id)
+        if going is not None:
+            self._rows.pop(self._place_of(going))
+            del self._going[goal_id]
+        self._rows.insert(len(self._rows) - self._under_way, row)
 
     def _advance_bar(self, node: int | None) -> None:
         left = self._distance.get(node, 0) if node is not None else 0

@@ -46,7 +46,7 @@ def work(store: str | None, most: int, *, until_done: bool, as_json: bool) -> No
     logging.basicConfig(format="plainspoken: %(message)s", level=logging.WARNING)
     with open_store(store) as kept:
         heard = _as_json if as_json else _in_short
-        worker = Worker(kept, partial(robot_for, kept.database.place), most=most, heard=heard)
+        worker = Worker(kept, partial(robot_for, kept), most=most, heard=heard)
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda *_: worker.stop())
         click.echo(f"worker {worker.shift.worker} at {kept.database.place}", err=True)

@@ -62,12 +62,16 @@ class Message:
 
 
 def enlist(
-    session: Session, mission: MissionId, robots: Iterable[RobotName], worker: WorkerId | None
+    session: Session,
+    mission: MissionId,
+    robots: Iterable[RobotName],
+    worker: WorkerId | None,
+    standing: Standing = Standing.GOING,
 ) -> None:
     """Give a new mission a place, behind all others; worker: who has it already."""
     session.change(
         "INSERT INTO place (mission, standing, worker) VALUES (?, ?, ?)",
-        (mission, Standing.GOING, worker),
+        (mission, standing, worker),
     )
     for robot in sorted(set(robots)):
         session.change("INSERT INTO reservation (mission, robot) VALUES (?, ?)", (mission, robot))

@@ -198,5 +198,22 @@ def m002_places(connection: sqlite3.Connection) -> None:
     connection.execute("CREATE INDEX message_open ON message (mission) WHERE answered IS NULL")
 
 
-CHANGES: tuple[Callable[[sqlite3.Connection], None], ...] = (m001_entries, m002_places)
+def m003_robots(connection: sqlite3.Connection) -> None:
+    """What robots of a file were told, and what people are asked: see `backends`."""
+    connection.execute(
+        "CREATE TABLE note (subject TEXT NOT NULL, topic TEXT NOT NULL, document TEXT NOT NULL,"
+        " PRIMARY KEY (subject, topic))"
+    )
+    connection.execute(
+        "CREATE TABLE question (number INTEGER PRIMARY KEY, call TEXT NOT NULL UNIQUE,"
+        " question TEXT NOT NULL, answers TEXT NOT NULL, asked TEXT NOT NULL, answer TEXT,"
+        " reporter TEXT, answered TEXT, withdrawn INTEGER NOT NULL DEFAULT 0)"
+    )
+
+
+CHANGES: tuple[Callable[[sqlite3.Connection], None], ...] = (
+    m001_entries,
+    m002_places,
+    m003_robots,
+)
 """Each changes the tables of a store by one version; none is ever edited."""

@@ -14,7 +14,7 @@ from plainspoken.knowledge.chain import MissionId
 from plainspoken.knowledge.database import Session, WorkerId
 from plainspoken.knowledge.log import Also, Log
 from plainspoken.knowledge.queue import Message, MessageNumber, Place, RobotName, Standing
-from plainspoken.world.event import Entry, Event, Instant, Step
+from plainspoken.world.event import Entry, Event, Instant, MissionEnded, Step
 
 
 class Store(Log):
@@ -51,13 +51,17 @@ class Store(Log):
     ) -> tuple[Entry, ...]:
         """Keep the first events of a mission, and give it a place behind all others.
 
+        One that is over already, since what is asked for holds, keeps no robot from others.
+
         robots: missions of one robot wait for each other
         worker: who carries it out already, None where any may take it
         """
 
         def enlisted(session: Session, _: Step) -> None:
             self.database.alone(session)
-            queue.enlist(session, mission, robots, worker)
+            over = isinstance(events[-1], MissionEnded)
+            standing = Standing.OVER if over else Standing.GOING
+            queue.enlist(session, mission, robots, worker, standing)
 
         return self.append(mission, time, 0, events, at=0, also=enlisted)
 

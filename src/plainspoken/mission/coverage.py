@@ -35,6 +35,21 @@ def sound_nodes(
     return tuple(node for node in fitting if (node, memory) in sound)
 
 
+def all_sound(
+    policy: Policy,
+    starts: Iterable[tuple[NodeId, Memory]],
+    monitor: Monitor,
+    symbols: tuple[Symbol, ...],
+) -> bool:
+    """Whether the policy can be followed from each of these nodes, with that memory.
+
+    monitor: for the automata alone
+    """
+    starts = tuple(starts)
+    sound = _Product(policy, monitor, symbols).sound(starts)
+    return all(start in sound for start in starts)
+
+
 class _Product:
     """A policy and a monitor, walked together."""
 

@@ -18,7 +18,7 @@ from itertools import takewhile
 from typing import assert_never
 
 from plainspoken.automata.verdict import Verdict
-from plainspoken.logic.syntax import unparse
+from plainspoken.mission.beside import Rearranged, begun_beside, ended_early, goes_on, masked
 from plainspoken.mission.command import (
     Attach,
     CancelAction,
@@ -29,6 +29,7 @@ from plainspoken.mission.command import (
     Send,
 )
 from plainspoken.mission.coverage import sound_nodes
+from plainspoken.mission.judgement import broken, reached
 from plainspoken.mission.mission import (
     ActionInFlight,
     Change,
@@ -135,6 +136,11 @@ def advance(mission: Mission, observation: Observation) -> Advance:
             mission = after(mission, event)
             events.append(event)
             event = _decision(mission)
+        if any(isinstance(each, ActionStarted | ActionFinished) for each in events):
+            beside = begun_beside(mission)
+            if beside is not None:
+                mission = after(mission, beside)
+                events.append(beside)
     return Advance(mission, tuple(_commands(mission, observation, events)), tuple(events))
 
 
@@ -142,17 +148,17 @@ def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
     """The events that record an observation; none where it says nothing new."""
     match observation:
         case ActionDone() | ActionNotDone() | NeverHeard() | Progressed() | Overdue() | Stuck():
-            goal = mission.in_flight
-            # Robots may tell twice; only the action under way can come to an end.
-            if goal is None or goal.goal_id != observation.goal_id:
-                return ()
-            event = _heard(mission, goal, observation)
+            # Robots may tell twice; only an action under way can come to an end.
+            for goal in mission.under_way:
+                if goal.goal_id == observation.goal_id:
+                    return _heard(mission, goal, observation)
+            return ()
         case Sensed() | Told() | Lost() | Found():
             event = _seen(mission, observation)
         case Planned(policy):
             return _chosen(mission, policy)
-        case NotPlanned(reason):
-            event = _unplanned(mission, reason)
+        case NotPlanned():
+            return _unplanned(mission, observation)
         case ChangeAsked():
             return _reconsidered(mission, observation)
         case PauseAsked(by):
@@ -172,33 +178,47 @@ def _heard(
     mission: Mission,
     goal: ActionInFlight,
     observation: ActionDone | ActionNotDone | NeverHeard | Progressed | Overdue | Stuck,
-) -> Event | None:
-    """What is told of the action under way."""
+) -> tuple[Event, ...]:
+    """What is told of an action under way."""
     action, id, static = goal.action, goal.goal_id, mission.brief.static
     match observation:
         case ActionDone(_, seen, claimed):
-            state = seen - static
-            doubted = frozenset() if claimed is None else (claimed - static) ^ state
-            node = _successor(mission, goal, state)
-            return ActionFinished(action, id, state, node, tuple(sorted(doubted)))
+            state = masked(mission, seen - static, action)
+            told = state if claimed is None else masked(mission, claimed - static, action)
+            return _done(mission, goal, state, tuple(sorted(told ^ state)))
         case ActionNotDone(_, reason, seen):
-            return ActionFailed(action, id, reason, seen - static)
+            return (ActionFailed(action, id, reason, masked(mission, seen - static, action)),)
         case NeverHeard():
             if goal.sendings <= mission.limits.resends:
-                return ActionResent(action, id)
-            return _stopped(mission, f"the robot forgot {action} {goal.sendings} times")
+                return (ActionResent(action, id),)
+            return (_stopped(mission, f"the robot forgot {action} {goal.sendings} times"),)
         case Progressed(_, progress, doing):
-            return ActionProgressed(id, progress, doing)
+            return (ActionProgressed(id, progress, doing),)
         case Overdue(_, seconds):
-            return None if goal.overdue else ActionOverdue(action, id, seconds)
+            return () if goal.overdue else (ActionOverdue(action, id, seconds),)
         case Stuck(_, seconds):
-            return _stopped(
-                mission,
+            never = (
                 f"{action} did not come to an end {seconds:.0f} s after it was given up; "
-                "it may still be under way",
+                "it may still be under way"
             )
+            others = [each.action for each in mission.under_way if each != goal]
+            return (_stopped(mission, "; ".join([never, *(f"so may {each}" for each in others)])),)
         case _:
             assert_never(observation)
+
+
+def _done(
+    mission: Mission, goal: ActionInFlight, state: State, misreported: tuple[str, ...]
+) -> tuple[Event, ...]:
+    """An action that ended; one that ended before its turn has the policy rearranged."""
+    early = ended_early(mission, goal.action, state) if goal == mission.beside else None
+    node = early if isinstance(early, int) else _successor(mission, goal, state)
+    finished = ActionFinished(goal.action, goal.goal_id, state, node, misreported)
+    if isinstance(early, Rearranged):
+        why = f"{goal.action} was done before its turn"
+        repeats = {str(new): old for new, old in early.repeats.items()}
+        return (finished, PolicyChosen(early.policy.to_json(), why, repeats))
+    return (finished,)
 
 
 def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event | None:
@@ -225,12 +245,12 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
 
 def _decision(mission: Mission) -> Event | None:
     """The next event that the mission itself brings about; None where it has to wait."""
-    verdict = mission.monitor.verdict
     if mission.is_over:
         return None
-    if not mission.settled and verdict in (Verdict.SATISFIED, Verdict.VIOLATED):
-        return VerdictReached(verdict, _violated_clause(mission))
-    if mission.in_flight is not None:
+    certain = reached(mission)
+    if certain is not None:
+        return certain
+    if mission.in_flight is not None or (mission.beside is not None and not goes_on(mission)):
         return None
     if mission.cancelled_by is not None:
         return MissionEnded("cancelled", mission.satisfied, f"cancelled by {mission.cancelled_by}")
@@ -238,15 +258,18 @@ def _decision(mission: Mission) -> Event | None:
         return None
     if mission.change is not None and mission.paused_by is None:
         return None
-    if verdict is Verdict.VIOLATED:
-        return _stopped(
-            mission, f"the request can no longer be met: {_violated_clause(mission)} is violated"
-        )
+    lost = broken(mission)
+    if lost:
+        what = f"{lost[0]} is violated" if len(lost) == 1 else f"not all of {', '.join(lost)}"
+        return _stopped(mission, f"the request can no longer be met: {what}")
     if mission.node is None:
         return _decision_adrift(mission)
     if mission.paused_by is not None:
         return None
-    return _decision_at(mission, mission.node)
+    decided = _decision_at(mission, mission.node)
+    if mission.beside is not None and isinstance(decided, MissionEnded):
+        return None  # not while a robot is at something
+    return decided
 
 
 def _decision_adrift(mission: Mission) -> Event | None:
@@ -288,16 +311,17 @@ def _decision_at(mission: Mission, id: NodeId) -> Event:
 def _commands(mission: Mission, observation: Observation, events: list[Event]) -> Iterator[Command]:
     if mission.is_over:
         return
-    goal = mission.in_flight
     if mission.lost is not None:
         yield Reconnect()
-    elif goal is not None:
-        if isinstance(observation, ResumeAsked | TakeUpAsked | Found):
-            yield Attach(goal.goal_id)
-        elif any(isinstance(event, ActionStarted | ActionResent) for event in events):
-            yield Send(goal.goal_id, goal.action)
-        if mission.cancelled_by is not None or goal.overdue:
-            yield CancelAction(goal.goal_id)
+    elif mission.under_way:
+        told = {e.goal_id for e in events if isinstance(e, ActionStarted | ActionResent)}
+        for goal in mission.under_way:
+            if isinstance(observation, ResumeAsked | TakeUpAsked | Found):
+                yield Attach(goal.goal_id)
+            elif goal.goal_id in told:
+                yield Send(goal.goal_id, goal.action)
+            if mission.cancelled_by is not None or goal.overdue:
+                yield CancelAction(goal.goal_id)
     elif mission.looking:
         yield Look()
     elif mission.change is not None and mission.paused_by is None:
@@ -311,7 +335,7 @@ def _successor(mission: Mission, goal: ActionInFlight, state: State) -> NodeId |
 
     None as well if something else changed meanwhile: then the goal's memory may differ.
     """
-    if mission.policy is None or mission.node != goal.node:
+    if mission.policy is None or mission.node != goal.node or goal == mission.beside:
         return None
     world = state | mission.brief.static
     for id in mission.policy.node(goal.node).successors:
@@ -340,11 +364,14 @@ def _chosen(mission: Mission, policy: Policy) -> tuple[Event, ...]:
     return (*events, PolicyChosen(policy.to_json(), None if first else why))
 
 
-def _unplanned(mission: Mission, reason: str) -> Event:
+def _unplanned(mission: Mission, told: NotPlanned) -> tuple[Event, ...]:
     """Without a policy a change is not made; what was asked before is given up only without one."""
     if mission.change is not None:
-        return ChangeRefused(mission.change.by, mission.change.text, reason)
-    return _stopped(mission, reason)
+        return (ChangeRefused(mission.change.by, mission.change.text, told.reason),)
+    stopped = _stopped(mission, told.reason)
+    if not told.hopeless or mission.settled:
+        return (stopped,)
+    return (VerdictReached(Verdict.VIOLATED, reason=told.reason), stopped)
 
 
 def _reconsidered(mission: Mission, asked: ChangeAsked) -> tuple[Event, ...]:
@@ -372,13 +399,6 @@ def _deviation(mission: Mission) -> DeviationNoticed:
         covered=bool(nodes) or mission.satisfied,
         node=nodes[0] if nodes else None,
     )
-
-
-def _violated_clause(mission: Mission) -> str | None:
-    for part in mission.monitor.parts:
-        if part.verdict is Verdict.VIOLATED:
-            return unparse(part.formula)
-    return None
 
 
 def _stopped(mission: Mission, reason: str) -> MissionEnded:

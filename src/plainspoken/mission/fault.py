@@ -6,6 +6,8 @@ of a real robot: an error, silence, a result that is not so, a lost connection, 
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from random import Random
@@ -21,7 +23,7 @@ from plainspoken.mission.robot import (
     Unreachable,
 )
 from plainspoken.mission.simulator import Simulator
-from plainspoken.world.domain import GroundAction, Problem, State
+from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
 from plainspoken.world.scene import applicable_actions, successors
 
 STRIKES = 0.3
@@ -30,6 +32,8 @@ STEADFAST = 0.25
 """The share of hanging actions that not even a cancellation ends."""
 AWAY: tuple[Seconds, Seconds] = (5.0, 120.0)
 """How long a connection is lost, at least and at most."""
+MOST_STRANGE = 3
+"""How many facts a strange outcome gets wrong, at most."""
 MOMENT: Seconds = 5.0
 """How much simulated time passes while nothing is heard."""
 
@@ -47,6 +51,12 @@ class FaultKind(StrEnum):
     """The robot cannot be reached for a while, and goes on meanwhile."""
     PERSON = "person"
     """Somebody walks in and does something that some action would do."""
+    DRIFT = "drift"
+    """A fact changes by itself, to something that may make no sense at all."""
+    STRANGE = "strange"
+    """The action turns out as no outcome of the domain has it."""
+    UNLUCKY = "unlucky"
+    """Of the outcomes that may come about, it is the one that leads back to where all began."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +100,8 @@ class FaultyRobot:
         self._before: dict[GoalId, State] = {}
         self._actions: dict[GoalId, GroundAction] = {}
         self._steadfast: set[GoalId] = set()
+        self._seen: Counter[State] = Counter()
+        self._atoms = fluents_of(problem)
         self._back_at: Seconds = 0.0
         self._idle: Seconds = 0.0
 
@@ -118,9 +130,12 @@ class FaultyRobot:
         kind = self._drawn()
         self._struck[goal_id], self._actions[goal_id] = kind, action
         self._before[goal_id] = self._simulator.state()
+        self._seen[self._simulator.state()] += 1
         self._simulator.send(goal_id, action)
         if kind is FaultKind.PERSON:
             self._somebody_does_something()
+        elif kind is FaultKind.DRIFT:
+            self._change(self._chance.sample(self._atoms, 1))
         elif kind is FaultKind.HANGING and self._chance.random() < STEADFAST:
             self._steadfast.add(goal_id)
         elif kind is FaultKind.LOST:
@@ -142,6 +157,13 @@ class FaultyRobot:
             return status
         if kind is FaultKind.LYING and isinstance(status, Succeeded):
             status = Succeeded(self._other_outcome(goal_id, status.state))
+        elif isinstance(status, Succeeded) and kind in (FaultKind.STRANGE, FaultKind.UNLUCKY):
+            if kind is FaultKind.STRANGE:
+                most = min(len(self._atoms), MOST_STRANGE)
+                self._change(self._chance.sample(self._atoms, self._chance.randint(1, most)))
+            else:
+                self._set(self._worst_outcome(goal_id))
+            status = Succeeded(self._simulator.state())
         return self._end(goal_id, status)
 
     def cancel(self, goal_id: GoalId) -> None:
@@ -173,10 +195,35 @@ class FaultyRobot:
         others = [s for s in successors(self._problem, before, action) if s != true]
         return self._chance.choice(others) if others else before
 
+    def _worst_outcome(self, goal_id: GoalId) -> State:
+        """The outcome that has led nowhere most often."""
+        outcomes = successors(self._problem, self._before[goal_id], self._actions[goal_id])
+        most = max(self._seen[state] for state in outcomes)
+        return self._chance.choice([each for each in outcomes if self._seen[each] == most])
+
     def _somebody_does_something(self) -> None:
         """Have the world change as some action would change it."""
         now = self._simulator.state()
         actions = list(applicable_actions(self._problem, now))
         if actions:
-            then = self._chance.choice(successors(self._problem, now, self._chance.choice(actions)))
-            self._simulator.disturb(added=then - now, deleted=now - then)
+            self._set(
+                self._chance.choice(successors(self._problem, now, self._chance.choice(actions)))
+            )
+
+    def _change(self, atoms: Sequence[GroundAtom]) -> None:
+        """Have each of the atoms become what it was not."""
+        self._set(self._simulator.state() ^ frozenset(atoms))
+
+    def _set(self, then: State) -> None:
+        now = self._simulator.state()
+        self._simulator.disturb(added=then - now, deleted=now - then)
+
+
+def fluents_of(problem: Problem) -> list[GroundAtom]:
+    """Every ground atom of the predicates that some action changes, sensible or not."""
+    return sorted(
+        " ".join([name, *binding.values()])
+        for name, parameters in problem.domain.predicates.items()
+        if name in problem.changing_predicates
+        for binding in problem.bindings(parameters)
+    )

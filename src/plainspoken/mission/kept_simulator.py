@@ -205,14 +205,17 @@ class KeptSimulator:
 
     def _come_to_an_end(self, file: sqlite3.Connection) -> None:
         due = file.execute(
-            "SELECT goal, outcome, failure FROM command"
+            "SELECT goal, before, outcome, failure FROM command"
             " WHERE world = ? AND status = 'under way' AND ends <= ? ORDER BY ends",
             (self._world, self._clock()),
         ).fetchall()
-        for goal, outcome, failure in due:
+        for goal, before, outcome, failure in due:
             status = "done" if failure is None else "failed"
             file.execute("UPDATE command SET status = ? WHERE goal = ?", (status, goal))
-            file.execute("UPDATE world SET state = ? WHERE name = ?", (outcome, self._world))
+            # What it changes, and no more: another action may have ended meanwhile.
+            was, then = _state(before), _state(outcome)
+            state = (self._state(file) - (was - then)) | (then - was)
+            file.execute("UPDATE world SET state = ? WHERE name = ?", (_text(state), self._world))
 
     @contextmanager
     def _opened(self) -> Iterator[sqlite3.Connection]:

@@ -92,13 +92,17 @@ class Limits:
 
 @dataclass(frozen=True)
 class Brief:
-    """What was asked for, which only a change of mind changes; symbols are those of the clauses."""
+    """What was asked for, which only a change of mind changes; symbols are those of the clauses.
+
+    side_by_side: whether independent actions of different robots may go on at once
+    """
 
     mission: MissionId
     problem: Problem
     clauses: tuple[Clause, ...]
     symbols: tuple[Symbol, ...]
     static: State
+    side_by_side: bool = False
 
 
 @dataclass(frozen=True)
@@ -133,6 +137,7 @@ class Mission:
     monitor:   the goal's parts after the instants so far
     node:      where in the policy the mission is, None where the policy does not say how to go on
     noticed:   whether the log says so too
+    in_flight: the policy's action; beside: one of another robot, begun before its turn
     sent:      how many commands there were
     visits:    how often each node of the policy was come to
     failures:  actions in a row that could not be carried out
@@ -154,6 +159,7 @@ class Mission:
     node: NodeId | None = None
     noticed: bool = True
     in_flight: ActionInFlight | None = None
+    beside: ActionInFlight | None = None
     sent: int = 0
     visits: Mapping[NodeId, int] = field(default_factory=dict)
     failures: int = 0
@@ -182,6 +188,11 @@ class Mission:
         return self.monitor.verdict in (Verdict.SATISFIED, Verdict.HOLDS_SO_FAR)
 
     @property
+    def under_way(self) -> tuple[ActionInFlight, ...]:
+        """The actions that robots are at, the policy's first."""
+        return tuple(goal for goal in (self.in_flight, self.beside) if goal is not None)
+
+    @property
     def status(self) -> Status:
         if self.ended is not None:
             return Status(self.ended.outcome)
@@ -197,7 +208,7 @@ class Mission:
     def is_at_rest(self) -> bool:
         """Whether nothing goes on and nothing will until somebody asks for it."""
         return self.is_over or (
-            self.paused_by is not None and self.in_flight is None and self.cancelled_by is None
+            self.paused_by is not None and not self.under_way and self.cancelled_by is None
         )
 
     @property
@@ -227,7 +238,8 @@ def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
     problem = parse_problem(accepted.problem, domain, f"{source}, problem")
     clauses = (Clause(parse(accepted.goal)),)
     symbols, static = symbols_of(clauses, problem), frozenset(accepted.static)
-    brief = Brief(accepted.mission, problem, clauses, symbols, static)
+    together = bool(accepted.robot.get("side_by_side"))
+    brief = Brief(accepted.mission, problem, clauses, symbols, static, together)
     past = Past(accepted.state | static, None)
     monitor = monitor_of(clauses, symbols, past)
     return Mission(brief, accepted.state, accepted.state, monitor, past, limits=limits)
@@ -237,13 +249,19 @@ def after(mission: Mission, event: Event) -> Mission:
     """The mission after an event of its log."""
     match event:
         case ActionStarted(action, node, goal_id):
-            in_flight = ActionInFlight(goal_id, action, node)
-            return replace(mission, in_flight=in_flight, sent=mission.sent + 1)
-        case ActionFinished(action, _, state, node):
-            landed = replace(_next_instant(mission, state, action), in_flight=None, failures=0)
+            goal, sent = ActionInFlight(goal_id, action, node), mission.sent + 1
+            if mission.in_flight is None:
+                return replace(mission, in_flight=goal, sent=sent)
+            return replace(mission, beside=goal, sent=sent)
+        case ActionFinished(action, goal_id, state, node):
+            # What another robot gets done does not mend what this one fails at.
+            beside = mission.beside is not None and mission.beside.goal_id == goal_id
+            failures = mission.failures if beside else 0
+            landed = _over(_next_instant(mission, state, action), goal_id)
+            landed = replace(landed, failures=failures)
             return landed if node is None else _at_node(landed, node)
-        case ActionFailed(_, _, _, state):
-            failed = replace(mission, in_flight=None, failures=mission.failures + 1)
+        case ActionFailed(_, goal_id, _, state):
+            failed = replace(_over(mission, goal_id), failures=mission.failures + 1)
             return failed if state == mission.state else _next_instant(failed, state, None)
         case ObservationMade(_, _, _, state) | ReportReceived(_, _, _, _, state):
             seen = replace(mission, looking=mission.looking and isinstance(event, ReportReceived))
@@ -251,8 +269,12 @@ def after(mission: Mission, event: Event) -> Mission:
         case DeviationNoticed(_, _, _, node):
             noticed = replace(mission, noticed=True)
             return noticed if node is None else _at_node(noticed, node)
-        case PolicyChosen(document, reason):
+        case PolicyChosen(document, reason, repeats):
             policy = policy_from_json(document, f"mission {mission.id}, policy")
+            if repeats:
+                visits = {int(new): mission.visits.get(old, 0) for new, old in repeats.items()}
+                rearranged = replace(mission, policy=policy, visits={**mission.visits, **visits})
+                return _at_node(rearranged, policy.initial)
             replans = mission.replans + (reason is not None)
             chosen = replace(mission, policy=policy, replans=replans, visits={})
             return _at_node(chosen, policy.initial)
@@ -261,23 +283,27 @@ def after(mission: Mission, event: Event) -> Mission:
         case Paused(by):
             return replace(mission, paused_by=by)
         case Resumed():
-            return replace(mission, paused_by=None, looking=mission.in_flight is None)
+            return replace(mission, paused_by=None, looking=not mission.under_way)
         case TakenUp():
-            return replace(mission, looking=mission.in_flight is None)
+            return replace(mission, looking=not mission.under_way)
         case Cancelled(by):
             return replace(mission, cancelled_by=by)
         case ActionProgressed():
             return mission
         case ActionOverdue() | ActionResent():
-            return replace(mission, in_flight=_still_in_flight(mission.in_flight, event))
+            return replace(
+                mission,
+                in_flight=_still_in_flight(mission.in_flight, event),
+                beside=_still_in_flight(mission.beside, event),
+            )
         case RobotLost(reason):
             return replace(mission, lost=reason)
         case RobotFound():
-            return replace(mission, lost=None, looking=mission.in_flight is None)
+            return replace(mission, lost=None, looking=not mission.under_way)
         case ChangeRequested() | RequestChanged() | ChangeRefused():
             return _reconsidered(mission, event)
         case MissionEnded():
-            return replace(mission, ended=event, in_flight=None)
+            return replace(mission, ended=event, in_flight=None, beside=None)
         case MissionAccepted():
             raise PlainspokenError("a mission is accepted once", where=f"mission {mission.id}")
         case _:
@@ -315,8 +341,8 @@ def mission_from(entries: Iterable[Entry], limits: Limits | None = None) -> Miss
 def _still_in_flight(
     goal: ActionInFlight | None, event: ActionOverdue | ActionResent
 ) -> ActionInFlight | None:
-    if goal is None:
-        return None
+    if goal is None or goal.goal_id != event.goal_id:
+        return goal
     if isinstance(event, ActionOverdue):
         return replace(goal, overdue=True)
     return replace(goal, sendings=goal.sendings + 1)
@@ -380,6 +406,27 @@ def _next_instant(mission: Mission, state: State, action: GroundAction | None) -
     )
 
 
+def _over(mission: Mission, goal_id: GoalId) -> Mission:
+    """The mission without an action that has come to its end."""
+    in_flight, beside = (
+        None if goal is not None and goal.goal_id == goal_id else goal
+        for goal in (mission.in_flight, mission.beside)
+    )
+    return replace(mission, in_flight=in_flight, beside=beside)
+
+
 def _at_node(mission: Mission, node: NodeId) -> Mission:
+    """The mission at a node of its policy; one that is under way already is what comes next."""
     visits = {**mission.visits, node: mission.visits.get(node, 0) + 1}
-    return replace(mission, node=node, visits=visits, noticed=True)
+    in_flight, beside = mission.in_flight, mission.beside
+    if in_flight is not None:  # the policy was rearranged around it
+        in_flight = replace(in_flight, node=node)
+    elif (
+        beside is not None
+        and mission.policy is not None
+        and mission.policy.node(node).action == beside.action
+    ):
+        in_flight, beside = replace(beside, node=node), None
+    return replace(
+        mission, node=node, visits=visits, noticed=True, in_flight=in_flight, beside=beside
+    )

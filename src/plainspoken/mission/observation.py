@@ -103,9 +103,13 @@ class Planned:
 
 @dataclass(frozen=True, slots=True)
 class NotPlanned:
-    """There is no policy; reason is for people."""
+    """There is no policy; reason is for people.
+
+    hopeless: whether no luck would help: nothing that the domain lets happen meets the request
+    """
 
     reason: str
+    hopeless: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -52,8 +52,9 @@ class Unreachable(PlainspokenError):
 
 
 class Robot(Protocol):
-    """Takes one command at a time.
+    """Takes one command at a time; several, where missions may go on side by side.
 
+    Then it stands for several robots, each of which is given one command at a time.
     Its states hold every true atom that some action changes; static atoms may be left out.
     Each method may raise Unreachable. A command that raised it may have been heard or not:
     it is asked about, by `wait`, once the robot can be reached again.

@@ -44,7 +44,7 @@ Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
 """Stores events, all or none, before it returns."""
 Heed = Callable[[], None]
 """Called again and again by whoever takes long; what it raises ends the work."""
-Replanner = Callable[[State, Formula, Heed], Policy | str]
+Replanner = Callable[[State, Formula, Heed], Policy | NotPlanned]
 """Finds a policy from a state (static atoms included) to a goal, or says why there is none."""
 Requests = Callable[[], Observation | None]
 """What people, or another process, ask for meanwhile: one request at a time, never waiting."""
@@ -145,10 +145,8 @@ class _Edge:
         self._requests = requests
         self._patience = patience
         self._clock = patience.clock
-        self._goal: GoalId | None = None
-        self._since = self._given_up_at = self._clock()
-        self._doing: str | None = None
-        self._given_up: GoalId | None = None
+        self._lost_since = self._clock()
+        self._timed: dict[GoalId, _Timed] = {}
 
     def observed(self, now: Advance) -> Observation:
         """Obey the commands, and wait for the next thing that is worth deciding on."""
@@ -156,19 +154,18 @@ class _Edge:
         try:
             # A request is decided on as soon as it is taken; while an action is under way, that
             # is after the robot has the command.
-            request = self._requests() if mission.in_flight is None else None
+            request = None if mission.under_way else self._requests()
             answer = request or self._reached(partial(self._obeyed, now))
             while answer is None:
                 request = self._requests()
                 if request is not None:
                     return request
-                goal = mission.in_flight
-                if mission.lost is None and goal is None:
-                    raise AssertionError("a mission that waits for nothing is at rest")
-                if goal is None or mission.lost is not None:
+                if mission.lost is not None:
                     answer = self._reconnected()
+                elif not mission.under_way:
+                    raise AssertionError("a mission that waits for nothing is at rest")
                 else:
-                    answer = self._reached(partial(self._news, goal))
+                    answer = self._reached(partial(self._news_of_one, mission.under_way))
         except KeyboardInterrupt:
             if mission.paused_by is not None:
                 raise
@@ -179,7 +176,7 @@ class _Edge:
         try:
             return ask()
         except Unreachable as error:
-            self._since = self._clock()
+            self._lost_since = self._clock()
             return Lost(str(error))
 
     def _reconnected(self) -> Observation | None:
@@ -187,11 +184,11 @@ class _Edge:
         try:
             self._robot.state()
         except Unreachable as error:
-            if self._clock() - self._since > self._patience.lost:
+            if self._clock() - self._lost_since > self._patience.lost:
                 return Lost(str(error), for_good=True)
             self._patience.sleep(self._patience.news)
             return None
-        self._goal = None  # what goes on is timed anew
+        self._timed.clear()  # what goes on is timed anew
         return Found()
 
     def _obeyed(self, now: Advance) -> Observation | None:
@@ -199,13 +196,13 @@ class _Edge:
         for command in now.commands:
             match command:
                 case Send(goal_id, action):
-                    self._timed(goal_id)
+                    self._clocked(goal_id)
                     self._robot.send(goal_id, action)
                 case Attach(goal_id):
-                    self._timed(goal_id)  # waiting for it is asking about it
+                    self._clocked(goal_id)  # waiting for it is asking about it
                 case CancelAction(goal_id):
-                    if self._given_up != goal_id:
-                        self._given_up, self._given_up_at = goal_id, self._clock()
+                    timed = self._clocked(goal_id)
+                    timed.given_up = self._clock() if timed.given_up is None else timed.given_up
                     self._robot.cancel(goal_id)
                 case Look():
                     return Sensed("robot", self._robot.state())
@@ -226,28 +223,37 @@ class _Edge:
             policy = self._plan(state, remaining, self._heed)
         except _Interrupted as interrupted:
             return interrupted.request
-        return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
+        return policy if isinstance(policy, NotPlanned) else Planned(policy)
 
     def _heed(self) -> None:
         request = self._requests()
         if request is not None:
             raise _Interrupted(request)
 
-    def _timed(self, goal: GoalId) -> None:
-        """Begin to count the seconds of an action that is new here."""
-        if self._goal != goal:
-            self._goal, self._doing = goal, None
-            self._since = self._given_up_at = self._clock()
+    def _clocked(self, goal: GoalId) -> _Timed:
+        """The seconds of an action, counted from here on where it is new."""
+        return self._timed.setdefault(goal, _Timed(self._clock()))
 
-    def _news(self, goal: ActionInFlight) -> Observation | None:
+    def _news_of_one(self, goals: Sequence[ActionInFlight]) -> Observation | None:
+        """What the robots say of the actions under way, each asked in turn."""
+        for goal in goals:
+            answer = self._news(goal, self._patience.news / len(goals))
+            if answer is not None:
+                return answer
+        return None
+
+    def _news(self, goal: ActionInFlight, patience: Seconds) -> Observation | None:
         """What the robot says of an action; None while it is at it."""
-        status = self._robot.wait(goal.goal_id, self._patience.news)
+        status = self._robot.wait(goal.goal_id, patience)
+        timed = self._clocked(goal.goal_id)
+        if isinstance(status, Succeeded | Failed):
+            del self._timed[goal.goal_id]
         match status:
             case UnderWay(progress, doing):
-                if doing != self._doing:
-                    self._doing = doing
+                if doing != timed.doing:
+                    timed.doing = doing
                     return Progressed(goal.goal_id, progress, doing)
-                return self._late(goal)
+                return self._late(goal, timed)
             case Succeeded(state):
                 seen = self._robot.state()
                 return ActionDone(goal.goal_id, seen, state if state != seen else None)
@@ -258,13 +264,22 @@ class _Edge:
             case _:
                 assert_never(status)
 
-    def _late(self, goal: ActionInFlight) -> Observation | None:
+    def _late(self, goal: ActionInFlight, timed: _Timed) -> Observation | None:
         """Whether an action takes longer than it may, to end or to be given up."""
         now = self._clock()
-        if self._given_up == goal.goal_id:
-            late = now - self._given_up_at
+        if timed.given_up is not None:
+            late = now - timed.given_up
             return Stuck(goal.goal_id, late) if late > self._patience.given_up else None
         limit = self._patience.action(goal.action)
-        if limit is None or now - self._since <= limit:
+        if limit is None or now - timed.since <= limit:
             return None
-        return Overdue(goal.goal_id, now - self._since)
+        return Overdue(goal.goal_id, now - timed.since)
+
+
+@dataclass(slots=True)
+class _Timed:
+    """When an action began here, when it was given up, and what it was at last."""
+
+    since: Seconds
+    given_up: Seconds | None = None
+    doing: str | None = None

@@ -117,28 +117,40 @@ class Simulator:
         """Begin an action. A goal id heard before is ignored."""
         if goal_id not in self._goals:
             at_least, at_most = self._durations.get(action.split()[0], USUAL_DURATION)
-            duration = self._chance("duration").uniform(at_least, at_most)
+            use = f"duration of {action}" if self._under_way() else "duration"
+            duration = self._chance(use).uniform(at_least, at_most)
             ends = self.elapsed + duration
             self._goals[goal_id] = _Goal(action, self.elapsed, ends, UnderWay(0.0))
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
-        """What became of a command; timeout is in real seconds."""
+        """What became of a command; timeout is in real seconds.
+
+        Without a pace, time goes on to the end of whichever action under way ends first.
+        """
         goal = self._goals.get(goal_id)
         if goal is None:
             return Unheard()
         if isinstance(goal.status, UnderWay):
-            left = goal.ends - self.elapsed
             if self._pace > 0.0:
-                nap = min(left, timeout / self._pace)
+                nap = min(goal.ends - self.elapsed, timeout / self._pace)
                 self._sleep(nap * self._pace)
-                left -= nap
-            self.elapsed = goal.ends - max(left, 0.0) if self._pace > 0.0 else goal.ends
-            if self.elapsed < goal.ends:
+                # What is left is told in full: a sum of naps may miss the end by a hair.
+                self.elapsed = goal.ends - max(goal.ends - self.elapsed - nap, 0.0)
+            else:
+                self.elapsed = min(other.ends for other in self._under_way())
+            self._end_what_is_due()
+            if isinstance(goal.status, UnderWay):
                 share = (self.elapsed - goal.begins) / (goal.ends - goal.begins)
                 goal.status = UnderWay(share)
-            else:
-                goal.status = self._carried_out(goal.action)
         return goal.status
+
+    def _under_way(self) -> list[_Goal]:
+        return [goal for goal in self._goals.values() if isinstance(goal.status, UnderWay)]
+
+    def _end_what_is_due(self) -> None:
+        for goal in sorted(self._under_way(), key=lambda goal: goal.ends):
+            if goal.ends <= self.elapsed:
+                goal.status = self._carried_out(goal.action)
 
     def cancel(self, goal_id: GoalId) -> None:
         """Give an action up: it changes nothing."""

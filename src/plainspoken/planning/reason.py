@@ -155,6 +155,7 @@ class NoGuarantee:
     whole:   whether they are all that was asked
     lucky:   whether they can be satisfied with luck; None where that is not known
     way:     a way that satisfies everything asked, with luck
+    never:   whether it is proven that there is no such way
     """
 
     parts: tuple[Formula, ...]
@@ -162,6 +163,7 @@ class NoGuarantee:
     whole: bool = False
     lucky: bool | None = None
     way: LuckyWay | None = None
+    never: bool = False
 
     def said(self, words: Words = PLAIN) -> str:
         if self.whole and not self.minimal:
@@ -205,6 +207,17 @@ class OnlyByRetrying:
 
 
 Reason = Contradiction | ViolatedAtStart | NeverTrue | NeverFalse | NoGuarantee | OnlyByRetrying
+
+
+def is_hopeless(reason: Reason) -> bool:
+    """Whether nothing that the domain lets happen satisfies what was asked, with any luck."""
+    match reason:
+        case NoGuarantee():
+            return reason.never
+        case OnlyByRetrying():
+            return False
+        case _:
+            return True
 
 
 def _detail(parts: Sequence[Formula], *, minimal: bool = True) -> dict[str, Any]:

@@ -176,7 +176,8 @@ class Inquiry:
         elif lucky is None and not whole:
             alone = lucky_plan(self._product(named.parts), self._watch)
             lucky = False if isinstance(alone, Exhausted) else None
-        return NoGuarantee(found, named.minimal, whole, lucky=lucky)
+        never = isinstance(plan, Exhausted)
+        return NoGuarantee(found, named.minimal, whole, lucky=lucky, never=never)
 
 
 def reason_why_not(

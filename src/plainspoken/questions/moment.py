@@ -39,6 +39,7 @@ from plainspoken.world.event import (
     RobotFound,
     RobotLost,
     Step,
+    VerdictReached,
 )
 from plainspoken.world.landmark import Landmarks, landmarks_from_json
 from plainspoken.world.pddl import parse_domain, parse_problem
@@ -61,13 +62,21 @@ class Happening(NamedTuple):
     policy: Step
 
 
+class _Begun(NamedTuple):
+    """An action under way, the entry that says so, and the one that holds the policy."""
+
+    event: ActionStarted
+    step: Step
+    policy: Step
+
+
 class Moment:
     """All that is known at one step of one log.
 
     states:  s0 ... sn; the last one is now
     actions: what led to each instant, None where nothing was done
     steps:   the entry that each instant was observed in
-    started: the action in flight, None when nothing is
+    started: the action in flight that was begun first, None when nothing is
     """
 
     def __init__(self, entries: Sequence[Entry], at: Step | None = None) -> None:
@@ -87,14 +96,14 @@ class Moment:
         self.actions: list[GroundAction | None] = [None]
         self.steps: list[Step] = [self.entries[0].step]
         self.happenings: list[Happening] = []
-        self.started: ActionStarted | None = None
-        self.started_step: Step = 0
+        self._going: dict[str, _Begun] = {}
         self.chosen: PolicyChosen | None = None
         self.chosen_step: Step = 0
         self.node_id: int | None = None
         self.ended: MissionEnded | None = None
         self.paused = False
         self.lost: RobotLost | None = None
+        self.certain: tuple[Step, VerdictReached] | None = None
         self.doing: str | None = None
         self.overdue = False
         self._asked: list[tuple[Instant, Clauses]] = [(0, ((0, self.mission.goal),))]
@@ -106,8 +115,9 @@ class Moment:
             # Nearly all entries are of these two kinds, and a log may have 100,000.
             event = entry.event
             if type(event) is ActionStarted:
-                self.started, self.started_step = event, entry.step
-                self.node_id = event.node
+                if not self._going:
+                    self.node_id = event.node
+                self._going[event.goal_id] = _Begun(event, entry.step, self.chosen_step)
                 self.doing, self.overdue = None, False
             elif type(event) is ActionFinished:
                 self._finish(entry, event)
@@ -115,13 +125,14 @@ class Moment:
                 self._take(entry)
 
     def _finish(self, entry: Entry, event: ActionFinished) -> None:
+        begun = self._going.pop(event.goal_id, None)
         if entry.instant >= len(self.states):
-            chosen_by = self.started.node if self.started else None
+            chosen_by = begun.event.node if begun else None
+            policy = begun.policy if begun else self.chosen_step
             self.happenings.append(
-                Happening(event.action, entry.instant, entry.step, chosen_by, self.chosen_step)
+                Happening(event.action, entry.instant, entry.step, chosen_by, policy)
             )
         self._see(entry, event.state, event.action)
-        self.started = None
         self.node_id = event.node
 
     def _take(self, entry: Entry) -> None:
@@ -130,7 +141,7 @@ class Moment:
             case ActionFailed():
                 self._see(entry, event.state, None)
                 self.failures.append((entry.step, event))
-                self.started = None
+                self._going.pop(event.goal_id, None)
             case ObservationMade() | ReportReceived():
                 self._see(entry, event.state, None)
                 if isinstance(event, ReportReceived):
@@ -151,10 +162,14 @@ class Moment:
             case RequestChanged(clauses=clauses):
                 asked = tuple((int(each["since"]), str(each["goal"])) for each in clauses)
                 self._asked.append((entry.instant, asked))
+                self.certain = None
+            case VerdictReached():
+                self.certain = entry.step, event
             case Paused() | Resumed():
                 self.paused = isinstance(event, Paused)
             case MissionEnded():
-                self.ended, self.started = event, None
+                self.ended = event
+                self._going.clear()
             case _:
                 pass
 
@@ -169,6 +184,19 @@ class Moment:
             self.states[-1] = state
 
     # -- now -----------------------------------------------------------------------------------
+
+    @property
+    def started(self) -> ActionStarted | None:
+        return next((each.event for each in self._going.values()), None)
+
+    @property
+    def started_step(self) -> Step:
+        return next((each.step for each in self._going.values()), 0)
+
+    @property
+    def beside(self) -> tuple[tuple[Step, ActionStarted], ...]:
+        """What goes on at the same time as `started`, each with the entry that says so."""
+        return tuple((each.step, each.event) for each in self._going.values())[1:]
 
     @property
     def now(self) -> Instant:

@@ -91,6 +91,10 @@ def _tell_action(draft: Draft) -> None:
         words = purpose_words(draft, purpose) if purpose is not None else ""
         doing = f" ({moment.doing})" if moment.doing else ""
         draft.say(f"{present_deed(lexicon.deed(action))}{doing}{words}")
+        for step, other in moment.beside:
+            draft.evidence.add(step)
+            draft.actions.add(ActionClaim(other.action, moment.now + 1, "may"))
+            draft.say(f"At the same time, {present_deed(lexicon.deed(other.action))}")
         if moment.overdue:
             draft.say("It takes longer than it should, so I'm giving it up")
         return

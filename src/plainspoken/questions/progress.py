@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from plainspoken.automata.verdict import Verdict
 from plainspoken.logic.formula import atoms
 from plainspoken.logic.pattern import Visit
+from plainspoken.questions.breach import tell_breach, tell_hopeless
 from plainspoken.questions.claim import Draft
 from plainspoken.questions.clause import enumerated
 from plainspoken.questions.demand import Demand
@@ -112,6 +113,9 @@ def _tell_parts(draft: Draft, *, promises: bool = True) -> None:
         draft.say(f"Kept {'so far' if moment.ended is None else 'to the end'}: {_series(kept)}")
     if lost := groups[Verdict.VIOLATED]:
         draft.say(f"Broken, and not to be mended: {_series(lost)}")
+        tell_breach(draft, moment.demands)
+    else:
+        tell_hopeless(draft)
 
 
 def _series(parts: Sequence[str]) -> str:
@@ -211,6 +215,7 @@ def tell_constraint(draft: Draft, question: Question) -> bool:
     if lost:
         yes = "Yes" if breach else "No"
         draft.say(f"{yes}, this has been broken: {_series(lost)}")
+        tell_breach(draft, moment.demands)
     elif kept:
         yes = "" if not question.yes_no else "No, " if breach else "Yes, "
         it = "it" if len(kept) == 1 else "that"

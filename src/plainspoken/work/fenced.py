@@ -20,7 +20,7 @@ class FencedRobot:
     def __init__(self, robot: Robot, held: Held) -> None:
         self._robot = robot
         self._held = held
-        self._last = UnderWay()
+        self._last: dict[GoalId, UnderWay] = {}
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:
         """Begin an action.
@@ -28,7 +28,6 @@ class FencedRobot:
         raises LetGo: when this process was not heard of for as long as a lease lasts
         """
         self._held.check()
-        self._last = UnderWay()
         self._robot.send(goal_id, action)
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
@@ -38,10 +37,10 @@ class FencedRobot:
         """
         if self._held.is_in_doubt:
             time.sleep(min(timeout, TICK))
-            return self._last
+            return self._last.get(goal_id, UnderWay())
         status = self._robot.wait(goal_id, timeout)
         if isinstance(status, UnderWay):
-            self._last = status
+            self._last[goal_id] = status
         return status
 
     def cancel(self, goal_id: GoalId) -> None:

@@ -52,16 +52,22 @@ class PolicyChosen:
     """A policy was found and validated. `policy` is the document that `plan --out` writes.
 
     reason: None for the first one; why there is another for the next ones
+    repeats: where it is the one before, with an action taken out that was done before its turn,
+             the nodes that are new, each with the one whose place it has
     """
 
     kind: ClassVar[str] = "policy_chosen"
     policy: Mapping[str, Any]
     reason: str | None = None
+    repeats: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class ActionStarted:
-    """The robot was told to do an action; node is the policy node that says so."""
+    """The robot was told to do an action; node is the policy node that says so.
+
+    Another one may be under way: then this one is of another robot, and begins before its turn.
+    """
 
     kind: ClassVar[str] = "action_started"
     action: GroundAction
@@ -139,13 +145,18 @@ class DeviationNoticed:
 class VerdictReached:
     """From here on it is certain how the request ends, whatever happens next.
 
-    verdict: satisfied or violated
-    clause:  the conjunct that was violated, None where all are satisfied
+    verdict:  satisfied or violated; the instant's first entry is what brought it about
+    clause:   the conjunct that was violated, None where all are satisfied, or where no one is
+    together: the conjuncts that can each be met, but not together any more
+    reason:   why nothing that the domain knows of can meet the request any more, in words; None
+              where the verdict holds in whatever world
     """
 
     kind: ClassVar[str] = "verdict_reached"
     verdict: str
     clause: str | None = None
+    together: tuple[str, ...] = ()
+    reason: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

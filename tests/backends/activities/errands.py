@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from tests.stores import store_in
+
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.backends.activities.robot import ActivityRobot
 from plainspoken.world.domain import State
@@ -59,5 +61,5 @@ def robot_of(text: str, folder: Path, state: State | None = None) -> Iterator[Ac
     """The robot of a robots' file; one folder is one journal."""
     file = folder / "robots.yaml"
     file.write_text(text)
-    with robot_from(file, PROBLEM, folder / "store.sqlite", state=state) as robot:
+    with store_in(folder) as store, robot_from(file, PROBLEM, store, state=state) as robot:
         yield robot

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from tests.backends.activities.errands import GRASP, PROBLEM, SERVICES, VIA, file_of, robot_of
+from tests.stores import store_in
 
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.errors import InputFileError
@@ -115,7 +116,8 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
     nowhere = tmp_path / "nowhere.yaml"
     with (
         pytest.raises(InputFileError, match="cannot read"),
-        robot_from(nowhere, PROBLEM, tmp_path / "store.sqlite"),
+        store_in(tmp_path) as store,
+        robot_from(nowhere, PROBLEM, store),
     ):
         pass
 

@@ -8,15 +8,13 @@ module that can be imported, so that an adapter may live elsewhere. The module h
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
 from typing import Protocol, cast
 
 from plainspoken.backends.activities.document import Section, Value, did_you_mean
 from plainspoken.backends.activities.journal import Journal
-from plainspoken.knowledge.log import EventLog
+from plainspoken.knowledge.store import Store
 from plainspoken.mission.service import Service
 
 COMMON = ("via", "succeeds", "reason", "progress", "doing", "limit")
@@ -34,13 +32,12 @@ class Around:
     """What an adapter finds around it.
 
     journal: keeps notes over the end of the process, for calls that are to be found again
-    log:     opens the store of missions, for those that have missions of their own
+    store:   where missions are, for services that have missions of their own
     via:     the adapter of services that do not name one
     """
 
     journal: Journal
-    log: Callable[[], AbstractContextManager[EventLog]]
-    store: Path
+    store: Store
     via: str | None = None
 
 

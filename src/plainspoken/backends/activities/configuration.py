@@ -15,7 +15,7 @@ has every key.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, closing, contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,7 +31,8 @@ from plainspoken.backends.activities.reading import (
     fact_of,
 )
 from plainspoken.backends.activities.robot import ActivityRobot
-from plainspoken.knowledge.log import SqliteLog
+from plainspoken.knowledge.sqlite import SqliteDatabase
+from plainspoken.knowledge.store import Store
 from plainspoken.mission.repertoire import Conduct, Offer, Outcome, Repertoire, Sensor
 from plainspoken.mission.robot import Unreachable
 from plainspoken.mission.service import Service
@@ -48,15 +49,12 @@ from plainspoken.world.domain import (
     When,
 )
 
-JOURNAL = ".robots.jsonl"
-"""Where the journal of robots lies: beside the store, under its name."""
-
 
 @contextmanager
 def robot_from(
     path: Path,
     problem: Problem,
-    store: Path,
+    store: Store,
     *,
     via: str | None = None,
     state: State | None = None,
@@ -65,25 +63,25 @@ def robot_from(
 
     via:   the adapter of services that do not name one
     state: what is believed at first, None for the problem's s0
+    store: keeps what is to be found again when the process ends
     raises InputFileError: with file, line and what was expected
     """
     with ExitStack() as stack:
-        journal = stack.enter_context(closing(Journal(store.with_name(store.name + JOURNAL))))
-
-        around = Around(journal, lambda: SqliteLog(store), store, via)
+        journal = Journal(store.database)
+        around = Around(journal, store, via)
         repertoire, services = read_robots(path, problem, around, stack)
         yield ActivityRobot(problem, repertoire, services, journal, state=state)
 
 
-def reached(path: Path, problem: Problem, store: Path, via: str | None) -> dict[str, str]:
+def reached(path: Path, problem: Problem, via: str | None) -> dict[str, str]:
     """Try every service of a robots' file; what is wrong with each, empty where nothing is.
 
     raises InputFileError: when the file is wrong
     """
     found = {}
     with ExitStack() as stack:
-        journal = stack.enter_context(closing(Journal()))
-        around = Around(journal, lambda: SqliteLog(store), store, via)
+        store = stack.enter_context(Store(SqliteDatabase(":memory:")))
+        around = Around(Journal(store.database), store, via)
         for name, service in read_robots(path, problem, around, stack)[1].items():
             try:
                 service.reach()
