@@ -134,6 +134,41 @@ def outcomes(problem: Problem, state: State, action: GroundAction) -> tuple[Chan
     )
 
 
+def settled_by(problem: Problem, state: State, action: GroundAction) -> frozenset[GroundAtom]:
+    """The atoms that are known once the action was done: each outcome adds or deletes them."""
+    found: list[frozenset[GroundAtom]] = []
+    for schema, binding in instances(problem, action):
+        if satisfies(state, schema.precondition, problem, binding):
+            changes = _changes(schema.effect, state, problem, binding)
+            found += [added | deleted for added, deleted in changes]
+    return frozenset.intersection(*found) if found else frozenset()
+
+
+def atoms_in(
+    condition: Condition, problem: Problem, binding: Binding | None = None
+) -> frozenset[GroundAtom]:
+    """Every ground atom that a condition speaks of, its variables bound."""
+    bound = binding or {}
+    match condition:
+        case AtomCondition():
+            return frozenset({ground(condition, bound)})
+        case Equal():
+            return frozenset()
+        case NotCondition(part):
+            return atoms_in(part, problem, bound)
+        case AllOf(parts) | AnyOf(parts):
+            return frozenset().union(*(atoms_in(part, problem, bound) for part in parts))
+        case ForAll(parameters, part) | Exists(parameters, part):
+            return frozenset().union(
+                *(
+                    atoms_in(part, problem, {**bound, **more})
+                    for more in problem.bindings(parameters)
+                )
+            )
+        case _:
+            assert_never(condition)
+
+
 def applicable_actions(problem: Problem, state: State) -> Iterator[GroundAction]:
     """Every ground action whose precondition holds, in the order of the domain file.
 
