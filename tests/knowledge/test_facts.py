@@ -19,8 +19,12 @@ STATES = st.lists(st.frozensets(ATOMS), min_size=1, max_size=12)
 def test_each_fact_says_since_when_and_because_of_what() -> None:
     facts = facts_after(ENTRIES)
     noon = "2026-11-22T10:00:"
-    assert facts.fact("open door") == Fact("open door", True, Source.ACTION, 3, 1, f"{noon}03Z")
-    assert facts.fact("lit lamp") == Fact("lit lamp", False, Source.OBSERVATION, 7, 3, f"{noon}07Z")
+    assert facts.fact("open door") == Fact(
+        "open door", True, Source.ACTION, 3, 1, f"{noon}03Z", "open door"
+    )
+    assert facts.fact("lit lamp") == Fact(
+        "lit lamp", False, Source.OBSERVATION, 7, 3, f"{noon}07Z", "light lamp"
+    )
     assert facts.fact("part-of lamp room") == Fact(
         "part-of lamp room", True, Source.INITIAL, 0, 0, f"{noon}00Z"
     )
@@ -106,7 +110,7 @@ def test_static_atoms_are_part_of_what_is_true_now() -> None:
     assert facts_after([Entry(0, "", 0, ACCEPTED)]).state == {"shut door", "part-of lamp room"}
 
 
-STALE = replace(ACCEPTED, robot={"stale": {"lit": 60.0}})
+STALE = replace(ACCEPTED, robot={"senses": [{"atom": "lit {x}", "lasts": 60.0}]})
 LAST_LOOK = datetime(2026, 11, 22, 10, 0, 7, tzinfo=UTC)
 
 

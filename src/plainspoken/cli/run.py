@@ -21,6 +21,7 @@ from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission
+from plainspoken.mission.run import heeding
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
@@ -143,14 +144,14 @@ def run(
         raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
-    with opened(site, chosen, mission=id, store=store):
-        pass  # before it is planned: what is wrong with a robots' file is known at once
+    with opened(site, chosen, mission=id, store=store) as (found, _):
+        # Before it is planned: what is wrong with a robots' file is known at once.
+        request = Request(id, formula, say, chosen.to_json()).knowing(found)
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    request = Request(id, formula, say, chosen.to_json())
     with open_store(store) as kept:
         if detach:
             _left_to_workers(kept, site, request, ending.policy)
@@ -197,7 +198,7 @@ def _carried_out(
                 request,
                 policy,
                 FencedRobot(robot, held),
-                record,
+                heeding(robot, record),
                 requests=held.requests,
                 patience=patience,
             )

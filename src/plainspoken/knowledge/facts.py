@@ -13,7 +13,7 @@ unknown at first.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from enum import StrEnum
 from typing import Any
@@ -34,7 +34,7 @@ from plainspoken.world.event import (
 )
 from plainspoken.world.pddl import parse_domain, parse_problem
 from plainspoken.world.scene import settled_by
-from plainspoken.world.sense import Senses
+from plainspoken.world.sense import Senses, told_by
 from plainspoken.world.symbol import Symbol, letter
 
 
@@ -166,8 +166,7 @@ class Facts:
         elif self.senses.is_needed_only(atom):
             step, seen = self.single.get(atom, (fact.step, fact.time))
         else:
-            step, seen = max(self.looked, fact.step), self.seen
-            step, seen = max((step, seen), self.single.get(atom, (0, "")))
+            step, seen = max((self.looked, self.seen), self.single.get(atom, (0, "")))
         vain = self.vain.get(atom)
         vain = vain if vain is not None and vain > step else None
         if fact.holds is None:
@@ -223,6 +222,7 @@ class Folding:
         self._single: dict[GroundAtom, tuple[Step, str]] = {}
         self._vain: dict[GroundAtom, Step] = {}
         self._problem: Problem | None = None
+        self._unknown: State = frozenset()
 
     def facts(self) -> Facts:
         """What is known so far.
@@ -259,9 +259,16 @@ class Folding:
         single = isinstance(event, ObservationMade) and event.sensed
         if not isinstance(event, ReportReceived) and not single:
             self._seen, self._looked = entry.time, entry.step
+        self._single_facts(entry, event)
         if entry.instant != len(self._trace) - 1:
             self._next_instant(entry, event)
-        self._single_facts(entry, event)
+        elif event.state is not self._trace[-1].state:
+            # What was not known did not change: the instant is as it is seen now.
+            self._trace[-1] = replace(self._trace[-1], state=event.state)
+        if isinstance(event, MissionAccepted):
+            for atom in event.unknown:
+                self._note(entry, atom, Source.INITIAL, holds=None)
+            self._unknown = frozenset(event.unknown)
 
     def _begin(self, entry: Entry, event: MissionAccepted) -> None:
         self._senses = Senses.of(event)
@@ -280,10 +287,6 @@ class Folding:
         if entry.instant != len(trace) or bool(trace) == isinstance(event, MissionAccepted):
             raise _misplaced(entry, f"expected instant {len(trace)}, got {entry.instant}")
         before = trace[-1].state if trace else frozenset()
-        if isinstance(event, ActionFinished) and self._problem is not None:
-            world = before | self._static
-            for atom in sorted(settled_by(self._problem, world, event.action)):
-                self._note(entry, atom, Source.ACTION, holds=atom in event.state, by=event.action)
         action = event.action if isinstance(event, ActionFinished) else None
         trace.append(Moment(entry.instant, event.state, action, entry.step, entry.time))
         for atom in sorted(event.state ^ before):
@@ -291,33 +294,27 @@ class Folding:
 
     def _single_facts(self, entry: Entry, event: Stated) -> None:
         """What an event says of facts one by one, whether it changed what was believed or not."""
-        match event:
-            case MissionAccepted(unknown=unknown):
-                for atom in unknown:
-                    self._note(entry, atom, Source.INITIAL, holds=None)
-            case ObservationMade(sensed=sensed):
-                for each in sensed:
-                    person = each.get("reporter")
-                    self._told(
-                        entry,
-                        each["atom"],
-                        Source.OBSERVATION if person is None else Source.REPORT,
-                        each["holds"],
-                        str(person or each["by"]),
-                    )
-            case ReportReceived(reporter, told=told):
-                for each in told:
-                    self._told(entry, each["atom"], Source.REPORT, each["holds"], reporter)
-            case _:
-                pass
-
-    def _told(
-        self, entry: Entry, atom: GroundAtom, source: Source, holds: bool | None, by: str
-    ) -> None:
-        if holds is None:
-            self._vain[atom] = entry.step
-        else:
-            self._note(entry, atom, source, holds=holds, by=by)
+        if isinstance(event, ObservationMade) and event.sensed:
+            for each in event.sensed:
+                person = each.get("reporter")
+                source = Source.OBSERVATION if person is None else Source.REPORT
+                if each["holds"] is None:
+                    self._vain[each["atom"]] = entry.step
+                else:
+                    by = str(person or each["by"])
+                    self._note(entry, each["atom"], source, holds=each["holds"], by=by)
+        elif isinstance(event, ReportReceived):
+            for each in event.told:
+                by = event.reporter
+                self._note(entry, each["atom"], Source.REPORT, holds=each["holds"], by=by)
+        elif self._problem is not None and self._trace:
+            world = self._trace[-1].state | self._static
+            said = told_by(event, world, self._unknown, self._senses, self._problem)
+            if isinstance(event, ActionFinished):
+                settled = settled_by(self._problem, world, event.action)
+                said.update((atom, atom in event.state) for atom in settled)
+            for atom, holds in sorted(said.items()):
+                self._note(entry, atom, _source(event), holds=holds, by=_by(event))
 
     def _note(
         self,
@@ -331,11 +328,9 @@ class Folding:
         """An entry says of an atom that it is so; since when is older where it was so before."""
         if holds is not None:
             self._single[atom] = entry.step, entry.time
+            self._unknown -= {atom}
         known = self._changed.get(atom)
-        was = False if known is None and self._trace and entry.step else known and known.holds
-        if known is None and holds is False and was is False:
-            return  # what nobody ever said otherwise
-        if known is None or was is not holds or known.step == entry.step:
+        if (known.holds if known is not None else False) is not holds:
             self._changed[atom] = Fact(
                 atom, holds, source, entry.step, entry.instant, entry.time, by
             )

@@ -27,6 +27,7 @@ from plainspoken.mission.command import (
     Plan,
     Reconnect,
     Send,
+    Sense,
 )
 from plainspoken.mission.coverage import sound_nodes
 from plainspoken.mission.mission import (
@@ -44,7 +45,9 @@ from plainspoken.mission.observation import (
     ActionNotDone,
     CancelAsked,
     ChangeAsked,
+    FactsTold,
     Found,
+    LookAsked,
     Lost,
     NeverHeard,
     NotPlanned,
@@ -60,6 +63,7 @@ from plainspoken.mission.observation import (
     Told,
 )
 from plainspoken.mission.request import clauses_to_json
+from plainspoken.mission.sensing import in_vain, is_verdict_open, needed, seen_state, told
 from plainspoken.mission.surprise import difference, surprise
 from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.world.domain import State
@@ -75,6 +79,7 @@ from plainspoken.world.event import (
     ChangeRequested,
     DeviationNoticed,
     Event,
+    LookRequested,
     MissionAccepted,
     MissionEnded,
     ObservationMade,
@@ -123,19 +128,23 @@ def queued(accepted: MissionAccepted, policy: Policy) -> tuple[Event, ...]:
     return tuple(takewhile(lambda event: not isinstance(event, ActionStarted), events))
 
 
-def advance(mission: Mission, observation: Observation) -> Advance:
-    """Take in one observation and decide how to go on."""
+def advance(mission: Mission, observation: Observation, stale: State = frozenset()) -> Advance:
+    """Take in one observation and decide how to go on.
+
+    stale: atoms that were seen too long ago to rest a decision on
+    """
     events: list[Event] = []
     if not mission.is_over:
         for learned in _learned(mission, observation):
             mission = after(mission, learned)
             events.append(learned)
-        event = _decision(mission) if events else None
+        event = _decision(mission, stale) if events else None
         while event is not None:
             mission = after(mission, event)
             events.append(event)
-            event = _decision(mission)
-    return Advance(mission, tuple(_commands(mission, observation, events)), tuple(events))
+            event = _decision(mission, stale)
+    commands = tuple(_commands(mission, observation, events, stale))
+    return Advance(mission, commands, tuple(events))
 
 
 def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
@@ -147,7 +156,7 @@ def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
             if goal is None or goal.goal_id != observation.goal_id:
                 return ()
             event = _heard(mission, goal, observation)
-        case Sensed() | Told() | Lost() | Found():
+        case Sensed() | FactsTold() | LookAsked() | Told() | Lost() | Found():
             event = _seen(mission, observation)
         case Planned(policy):
             return _chosen(mission, policy)
@@ -201,7 +210,9 @@ def _heard(
             assert_never(observation)
 
 
-def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event | None:
+def _seen(
+    mission: Mission, observation: Sensed | FactsTold | LookAsked | Told | Lost | Found
+) -> Event | None:
     """What is learned of the world, or of the connection to it."""
     static = mission.brief.static
     match observation:
@@ -210,9 +221,22 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
             if state == mission.state and not mission.looking:
                 return None
             return ObservationMade(source, *difference(mission.state, state), state)
+        case FactsTold(tellings):
+            tellings = told(mission, tellings)
+            state = seen_state(mission, tellings)
+            source = ", ".join(dict.fromkeys(each.by for each in tellings))
+            sensed = tuple(each.to_json() for each in tellings)
+            return ObservationMade(source, *difference(mission.state, state), state, sensed)
+        case LookAsked(by, atoms):
+            wanted = filter(mission.lookout.senses.can_tell, atoms - mission.lookout.wanted)
+            asked = tuple(sorted(wanted))
+            return LookRequested(by, asked) if asked else None
         case Told(reporter, text, added, deleted):
             state = (mission.state - deleted) | (added - static)
-            return ReportReceived(reporter, text, *difference(mission.state, state), state)
+            facts = tuple(
+                {"atom": atom, "holds": atom in added} for atom in sorted(added | deleted)
+            )
+            return ReportReceived(reporter, text, *difference(mission.state, state), state, facts)
         case Lost(reason, for_good):
             if for_good:
                 return _stopped(mission, f"the robot cannot be reached: {reason}")
@@ -223,12 +247,13 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
             assert_never(observation)
 
 
-def _decision(mission: Mission) -> Event | None:
+def _decision(mission: Mission, stale: State) -> Event | None:
     """The next event that the mission itself brings about; None where it has to wait."""
     verdict = mission.monitor.verdict
     if mission.is_over:
         return None
-    if not mission.settled and verdict in (Verdict.SATISFIED, Verdict.VIOLATED):
+    certain = verdict in (Verdict.SATISFIED, Verdict.VIOLATED)
+    if certain and not mission.settled and not is_verdict_open(mission):
         return VerdictReached(verdict, _violated_clause(mission))
     if mission.in_flight is not None:
         return None
@@ -237,6 +262,10 @@ def _decision(mission: Mission) -> Event | None:
     if mission.lost is not None or mission.looking:
         return None
     if mission.change is not None and mission.paused_by is None:
+        return None
+    if mission.paused_by is None and (doubts := in_vain(mission, stale)):
+        return _stopped(mission, f"nothing could tell whether {' and '.join(sorted(doubts))}")
+    if needed(mission, stale):
         return None
     if verdict is Verdict.VIOLATED:
         return _stopped(
@@ -285,10 +314,14 @@ def _decision_at(mission: Mission, id: NodeId) -> Event:
     return ActionStarted(node.action, id, f"{mission.id}/{mission.sent + 1}")
 
 
-def _commands(mission: Mission, observation: Observation, events: list[Event]) -> Iterator[Command]:
+def _commands(
+    mission: Mission, observation: Observation, events: list[Event], stale: State
+) -> Iterator[Command]:
     if mission.is_over:
         return
-    goal = mission.in_flight
+    goal, doubts = mission.in_flight, needed(mission, stale)
+    if doubts:
+        yield Sense(f"{mission.id}/look-{mission.lookout.looks + 1}", tuple(sorted(doubts)))
     if mission.lost is not None:
         yield Reconnect()
     elif goal is not None:
@@ -302,7 +335,7 @@ def _commands(mission: Mission, observation: Observation, events: list[Event]) -
         yield Look()
     elif mission.change is not None and mission.paused_by is None:
         yield Plan(mission.world, left_of(mission.change.monitor))
-    elif mission.paused_by is None and mission.node is None:
+    elif mission.paused_by is None and mission.node is None and not doubts:
         yield Plan(mission.world, mission.remaining)
 
 

@@ -34,7 +34,7 @@ class Landmark:
 
     description: as a person says it: "line 1", "the box is full", "to harvest a grape"
     names:       further ways to say it
-    lasts:       seconds for which it is known after it was seen; None for as long as nothing changes
+    lasts:       seconds for which it is known after it was seen; None for good
     """
 
     id: SymbolId
@@ -129,9 +129,7 @@ def _landmark(id: str, entry: object, path: str | Path) -> Landmark:
     )
 
 
-def _lasts(
-    id: str, entry: Mapping[str, Any], type: LandmarkType, path: str | Path
-) -> float | None:
+def _lasts(id: str, entry: Mapping[str, Any], type: LandmarkType, path: str | Path) -> float | None:
     lasts = entry.get("lasts")
     if lasts is None:
         return None

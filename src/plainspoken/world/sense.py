@@ -10,8 +10,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from plainspoken.world.domain import GroundAtom, Parameter, Problem
-from plainspoken.world.event import MissionAccepted
+from plainspoken.world.domain import GroundAtom, Parameter, Problem, State
+from plainspoken.world.event import (
+    ActionFinished,
+    MissionAccepted,
+    ObservationMade,
+    ReportReceived,
+    Stated,
+)
+from plainspoken.world.scene import settled_by
 from plainspoken.world.symbol import flat
 
 Seconds = float
@@ -119,6 +126,30 @@ def atoms_of(pattern: str, problem: Problem) -> Iterator[GroundAtom]:
         yield " ".join([predicate, *(binding.get(term, term) for term in terms)])
 
 
+def told_by(
+    event: Stated, before: State, unknown: State, senses: Senses, problem: Problem
+) -> dict[GroundAtom, bool]:
+    """What an event says of unknown atoms: it changed them, settled them, or was a look at them.
+
+    before: the state before it, with all that is true
+    """
+    if isinstance(event, MissionAccepted) or not unknown:
+        return {}
+    found = (event.state ^ before) & unknown
+    match event:
+        case ActionFinished(action):
+            found |= settled_by(problem, before, action) & unknown
+        case ObservationMade(sensed=each) | ReportReceived(told=each) if each:
+            return {
+                **{atom: atom in event.state for atom in found},
+                **{one["atom"]: one["holds"] for one in each if one["holds"] is not None},
+            }
+    if not isinstance(event, ReportReceived):
+        rules = ((atom, senses.sense(atom)) for atom in unknown)
+        found |= {atom for atom, rule in rules if rule is not None and not rule.needed}
+    return {atom: atom in event.state for atom in found}
+
+
 def implied(
     told: Mapping[GroundAtom, bool], groups: Iterable[tuple[GroundAtom, ...]]
 ) -> dict[GroundAtom, bool]:
@@ -143,8 +174,9 @@ def left_open(
     settled: atoms that became known in another way: whether they were true before nobody knows
     """
     settled = frozenset(settled)
-    found = []
-    for group in groups:
-        if settled.isdisjoint(group) and not any(told.get(atom) for atom in group):
-            found.append(tuple(atom for atom in group if atom not in told))
-    return tuple(group for group in found if group)
+    remaining = (
+        tuple(atom for atom in group if atom not in told)
+        for group in groups
+        if settled.isdisjoint(group) and not any(told.get(atom) for atom in group)
+    )
+    return tuple(group for group in remaining if group)
