@@ -17,7 +17,6 @@ from plainspoken.world.domain import GroundAction, GroundAtom, Parameter, Proble
 from plainspoken.world.scene import is_applicable, successors
 from plainspoken.world.sense import Sense
 
-
 TRIES = 3
 """How often a service that cannot be reached is asked about a fact, where nobody says."""
 

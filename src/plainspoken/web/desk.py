@@ -177,7 +177,7 @@ class Desk:
         full: bool = False,
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
-        moment = Moment(self._entries(mission), at)
+        moment = Moment(self._entries(mission), at, utc_now() if at is None else None)
         return (dialogue or Dialogue()).ask(text, moment, full=full)
 
     def say(
