@@ -18,7 +18,8 @@ MOST_DOUBTED = 6
 """Facts that are named one by one in what is not known."""
 _HOW_KNOWN = re.compile(
     r"\bhow (?:do|did|come) (?:you|we) (?:know|find out|learn|can tell)\b"
-    r"|\bhow can you (?:tell|know)\b|\bwho (?:told|says|said)\b|\bwhat makes you (?:think|believe|so sure|say)\b"
+    r"|\bhow can you (?:tell|know)\b|\bwho (?:told|says|said)\b"
+    r"|\bwhat makes you (?:think|believe|so sure|say)\b"
     r"|\bare you (?:sure|certain)\b|\bhow (?:sure|certain) are you\b|\bwhat tells you\b"
 )
 
