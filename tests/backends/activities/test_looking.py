@@ -173,7 +173,7 @@ WRONG: dict[str, tuple[str, str]] = {
     "tries: 2": ("tries", "say `needed: true`"),
     "otherwise: [{call: arm, when: {a: b}}]": ("otherwise", "say `needed: true`"),
     "needed: true, otherwise: [{call: amr, when: {a: b}}]": ("amr", "did you mean 'arm'"),
-    "needed: true, otherwise: [{call: arm}]": ("call", "'when' is missing"),
+    "needed: true, otherwise: [{call: arm}]": ("{call: arm}", "'when' is missing"),
     "needed: true, otherwise: [{call: arm, when: {a: b}, lasts: 3}]": ("lasts", "no key 'lasts'"),
     'unless: {a: "{y}"}': ("{y}", r"no {y}"),
     "need: true": ("need", "did you mean 'needed'"),
