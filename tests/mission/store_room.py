@@ -38,7 +38,7 @@ class Kept:
 def veiled(seed: int = 0, steering: Sequence[Steering] = ()) -> tuple[VeiledRobot, Simulator]:
     """A robot that does not see everything, and the world behind the veil."""
     world = Simulator(drawn(SITE.problem, seed, steering), seed=seed)
-    return VeiledRobot(world, SITE.problem, belief=SITE.problem.initial), world
+    return VeiledRobot(world, SITE.problem), world
 
 
 def carried_out(

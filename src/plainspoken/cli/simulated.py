@@ -14,7 +14,7 @@ from plainspoken.mission.robot import Robot, Seconds
 from plainspoken.mission.run import Patience
 from plainspoken.mission.simulator import Simulator, Steering, steering_from
 from plainspoken.mission.veil import VeiledRobot, drawn
-from plainspoken.pipeline import Site
+from plainspoken.pipeline import Site, accepted_of
 from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.event import ActionFinished, Entry
 
@@ -89,13 +89,13 @@ def simulated(
     robot, patience = _seeing_all(
         site, settings, steering, mission=mission, pace=pace, entries=entries
     )
-    if not site.problem.unknown:
+    if not site.problem.unknown or (entries and "senses" not in accepted_of(entries).robot):
         return robot, patience
     now = mission_from(entries) if entries else None
     veiled = VeiledRobot(
         robot,
         site.problem,
-        belief=site.problem.initial if now is None else now.world,
+        belief=None if now is None else now.world,
         under_way={now.in_flight.goal_id: now.in_flight.action} if now and now.in_flight else {},
     )
     return veiled, patience

@@ -50,8 +50,8 @@ class Lookout:
         """
         return frozenset(atom for atom in self.unknown | stale if self.senses.can_tell(atom))
 
-    def after(self, event: Event, world: State, problem: Problem) -> Lookout:
-        """The doubts after an event of the log; world: every atom that is true before it."""
+    def after(self, event: Event, state: State, static: State, problem: Problem) -> Lookout:
+        """The doubts after an event of the log; state, static: what is true before it."""
         match event:
             case LookRequested(atoms=atoms):
                 return replace(self, wanted=self.wanted | frozenset(atoms))
@@ -62,7 +62,11 @@ class Lookout:
         if not isinstance(event, Stated):
             return self
         sensed = event.sensed if isinstance(event, ObservationMade) else ()
-        told = told_by(event, world, self.unknown, self.senses, problem)
+        told = (
+            told_by(event, state | static, self.unknown, self.senses, problem)
+            if self.unknown
+            else {}
+        )
         vain = frozenset() if isinstance(event, ActionFinished) else self.vain
         if not (sensed or told):
             return self if vain == self.vain else replace(self, vain=vain)

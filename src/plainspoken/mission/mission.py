@@ -245,7 +245,9 @@ def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
 
 def after(mission: Mission, event: Event) -> Mission:
     """The mission after an event of its log."""
-    lookout = mission.lookout.after(event, mission.world, mission.brief.problem)
+    lookout = mission.lookout.after(
+        event, mission.state, mission.brief.static, mission.brief.problem
+    )
     return replace(_after(mission, event), lookout=lookout)
 
 

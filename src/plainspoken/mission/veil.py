@@ -61,19 +61,19 @@ class VeiledRobot:
         robot: Robot,
         problem: Problem,
         *,
-        belief: State,
+        belief: State | None = None,
         under_way: Mapping[GoalId, GroundAction] | None = None,
         now: Callable[[], datetime] = utc_now,
     ) -> None:
         """Veil a robot that sees everything.
 
         problem:   says what is hidden
-        belief:    what is believed at first of what is hidden
+        belief:    what is believed at first of what is hidden, None for what the problem assumes
         under_way: what it was told by a process before this one
         """
         self._robot, self._problem = robot, problem
         self._hidden = problem.unknown
-        self._belief = belief & self._hidden
+        self._belief = (problem.initial if belief is None else belief) & self._hidden
         self._actions = dict(under_way or {})
         self._tries: dict[LookId, int] = {}
         self._now = now

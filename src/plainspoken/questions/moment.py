@@ -228,7 +228,7 @@ class Moment:
         found = dict.fromkeys(self.mission.unknown, self.now + 1)
         world, lookout = self.mission.state, Lookout.of(self.mission, self.problem)
         for entry in self.entries[1:]:
-            after = lookout.after(entry.event, world | self.static, self.problem)
+            after = lookout.after(entry.event, world, self.static, self.problem)
             for atom in lookout.unknown - after.unknown:
                 found[atom] = entry.instant
             lookout = after

@@ -22,6 +22,8 @@ from plainspoken.mission.executive import queued
 from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, MissionId, mission_from
 from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked, ResumeAsked, Told
+from plainspoken.mission.simulator import Simulator
+from plainspoken.mission.veil import VeiledRobot
 from plainspoken.pipeline import (
     Request,
     Site,
@@ -113,7 +115,10 @@ class Desk:
 
         raises OvertakenError: when there is a mission of that name
         """
-        accepted = accepted_as(self._site(place), request)
+        site = self._site(place)
+        if "robots" not in request.robot:
+            request = request.knowing(VeiledRobot(Simulator(site.problem), site.problem))
+        accepted = accepted_as(site, request)
         time = self._now().isoformat(timespec="milliseconds")
         self.store.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
         self._tell()

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import json
+import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
-from tests.backends.activities.errands import file_of, robot_of
+from tests.backends.activities.errands import PROBLEM, file_of, robot_of
+from tests.backends.activities.scripted import CALLED, SCRIPTS
+from tests.mission.conformance import ended
 
 from plainspoken.backends.activities.looking import Looking
 from plainspoken.backends.human import HumanService
 from plainspoken.backends.questions import Questions
 from plainspoken.errors import InputFileError
 from plainspoken.mission.repertoire import Ask, Offer, Sensor
-from plainspoken.mission.robot import Unreachable
+from plainspoken.mission.robot import Succeeded, Unreachable
 from plainspoken.mission.sensing import Telling
 from plainspoken.mission.service import CallStatus, Done, Fields, Going, NotDone, Service
 from plainspoken.world.domain import Parameter
@@ -192,3 +198,93 @@ def test_a_wrong_fact_is_refused_with_its_line(
     line = text.splitlines()[caught.value.line - 1]
     assert line[(caught.value.column or 1) - 1 :].lstrip("\"'").startswith(place)
     assert said in f"{caught.value.what} {caught.value.hint}"
+
+
+GRASPED = """
+facts:
+  "held {t}":
+    call: look
+    with: {thing: "{t}"}
+    when: {held: true}
+    unless: {held: false}
+    needed: true
+"""
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_what_an_action_came_to_is_told_by_a_fact_that_is_looked_at_when_needed(
+    tmp_path: Path, *, held: bool
+) -> None:
+    SCRIPTS["look"] = [1, Done({"held": held})]
+    text = file_of("{call: drive}", more=GRASPED)
+    assert "outcomes:" in text
+    text = text[: text.index("    outcomes:")] + text[text.index("\nfacts:") :]
+    at_kitchen = (PROBLEM.initial - {"at hall"}) | {"at kitchen"}
+    with robot_of(text, tmp_path, at_kitchen) as robot:
+        robot.send("m/1", "grasp mug kitchen")
+        status = ended(robot, "m/1")
+    assert isinstance(status, Succeeded)
+    assert ("held mug" in status.state) is held
+    assert CALLED[-1] == ("look", {"thing": "mug"})
+
+
+def test_what_is_looked_at_when_needed_is_not_asked_with_every_look(tmp_path: Path) -> None:
+    with robot_of(file_of("{call: drive}", more=GRASPED), tmp_path) as robot:
+        robot.state()
+        assert not CALLED
+        found = robot.sense("m/look-1", ["held mug"], 5.0)
+        assert found is not None
+        assert found[0].holds is None  # the script gives no such field
+        assert [sense.to_json() for sense in robot.senses] == [
+            {"atom": "held {t}", "by": ["look"], "lasts": None, "needed": True}
+        ]
+
+
+class Camera(BaseHTTPRequestHandler):
+    """Answers `GET /full/b`, and not before it was asked twice."""
+
+    asked: ClassVar[list[str]] = []
+    holds: ClassVar[object] = True
+
+    def do_GET(self) -> None:
+        self.asked.append(self.path)
+        if len(self.asked) == 1:
+            self.send_error(503)
+            return
+        body = json.dumps({"mug": self.holds}).encode()
+        self.send_response(200)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, format: str, *args: object) -> None: ...  # noqa: A002 - its name there
+
+
+@pytest.mark.parametrize("holds", [True, False, None])
+def test_a_service_over_http_tells_of_a_fact_though_it_is_away_at_first(
+    tmp_path: Path,
+    holds: bool | None,  # noqa: FBT001 - what the service says
+) -> None:
+    Camera.asked.clear()
+    Camera.holds = holds
+    with ThreadingHTTPServer(("127.0.0.1", 0), Camera) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        url = f"http://127.0.0.1:{server.server_port}"
+        more = (
+            'facts:\n  "held {t}": {call: camera, with: {t: "{t}"}, when: {mug: true},'
+            " unless: {mug: false}, needed: true, lasts: 600}\n"
+        )
+        text = file_of("{call: drive}", more=more).replace(
+            "actions:",
+            f'  camera: {{via: http, base: "{url}", begin: "GET /full/{{t}}"}}\nactions:',
+            1,
+        )
+        with robot_of(text, tmp_path) as robot:
+            found = robot.sense("m/look-1", ["held mug"], 60.0)
+            believed = "held mug" in robot.state()
+        server.shutdown()
+    assert found is not None
+    assert (found[0].holds, found[0].by) == (holds, "camera")
+    assert believed is bool(holds)
+    assert Camera.asked == ["/full/mug"] * 2

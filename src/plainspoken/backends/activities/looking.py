@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 
 from plainspoken.mission.repertoire import Ask, Offer, Sensor
-from plainspoken.mission.robot import Seconds, Unreachable
+from plainspoken.mission.robot import Seconds, Unheard, Unreachable
 from plainspoken.mission.sensing import LookId, Telling
 from plainspoken.mission.service import CallId, CallStatus, Done, NotDone, Service
 from plainspoken.mission.template import Table, UnfilledError, filled
@@ -132,6 +132,8 @@ class Looking:
                 )
             case NotDone(reason):
                 self._next_way(question, f"{ask.service}: {reason}")
+            case Unheard():
+                self._try_again(question, f"{ask.service} has forgotten the question")
             case _ if question.until is not None and self._clock() >= question.until:
                 limit = self._offers[ask.service].limit
                 self._take_back(look, question)
