@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
 from functools import cached_property
 from importlib.resources import files
 from pathlib import Path
@@ -29,7 +30,7 @@ from plainspoken.planning.validation import Invalid, validate
 from plainspoken.planning.watch import Progress
 from plainspoken.world.document import read_text
 from plainspoken.world.domain import GroundAction, Problem, State
-from plainspoken.world.event import Entry, MissionAccepted
+from plainspoken.world.event import Entry, Event, Instant, MissionAccepted
 from plainspoken.world.landmark import (
     Landmarks,
     landmarks_from_json,
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from plainspoken.language.grounding import Vocabulary
     from plainspoken.mission.mission import Mission, MissionId
     from plainspoken.mission.robot import Robot
-    from plainspoken.mission.run import Heed, Patience, Record, Replanner, Requests
+    from plainspoken.mission.run import Heed, Patience, Record, Replanner, Requests, Stale
 
 
 @dataclass(frozen=True)
@@ -85,12 +86,24 @@ class Request:
 
     sentence: None where the goal came as a formula
     robot:    which robot, and how it is set, for the record
+    unknown:  atoms that nobody knows at s0, beside those that the problem names
     """
 
     mission: MissionId
     goal: Formula
     sentence: str | None = None
     robot: Mapping[str, Any] = field(default_factory=dict)
+    unknown: State = frozenset()
+
+    def knowing(self, robot: Robot) -> Request:
+        """The request with what the robot says of how facts come to be known, for the record."""
+        from plainspoken.mission.sensing import Senser
+        from plainspoken.world.sense import senses_to_json
+
+        if not isinstance(robot, Senser) or not robot.senses:
+            return self
+        set_up = {**self.robot, "senses": senses_to_json(robot.senses)}
+        return replace(self, robot=set_up, unknown=robot.unknown_at_first())
 
 
 def bundled(name: str) -> Path:
@@ -160,7 +173,10 @@ def carry_out(
     from plainspoken.mission.run import run_mission
 
     start = accept(accepted_as(site, request), policy)
-    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+    record, stale = _kept_fresh((), record, accepted_as(site, request))
+    return run_mission(
+        start, robot, record, replanner(site), requests=requests, patience=patience, stale=stale
+    )
 
 
 def accepted_as(site: Site, request: Request) -> MissionAccepted:
@@ -177,6 +193,7 @@ def accepted_as(site: Site, request: Request) -> MissionAccepted:
         english=site.in_words(request.goal),
         landmarks=landmarks_to_json(site.landmarks),
         robot=request.robot,
+        unknown=request.unknown,
     )
 
 
@@ -196,8 +213,11 @@ def go_on(
     from plainspoken.mission.observation import ResumeAsked
     from plainspoken.mission.run import run_mission
 
-    start = advance(mission_from(entries), ResumeAsked(by))
-    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+    record, stale = _kept_fresh(entries, record)
+    start = advance(mission_from(entries), ResumeAsked(by), stale())
+    return run_mission(
+        start, robot, record, replanner(site), requests=requests, patience=patience, stale=stale
+    )
 
 
 def take_up(
@@ -218,8 +238,33 @@ def take_up(
 
     mission = mission_from(entries)
     first = requests() if mission.is_at_rest else TakeUpAsked(by)
-    start = Advance(mission, (), ()) if first is None else advance(mission, first)
-    return run_mission(start, robot, record, replanner(site), requests=requests, patience=patience)
+    record, stale = _kept_fresh(entries, record)
+    start = Advance(mission, (), ()) if first is None else advance(mission, first, stale())
+    return run_mission(
+        start, robot, record, replanner(site), requests=requests, patience=patience, stale=stale
+    )
+
+
+def _kept_fresh(
+    entries: Sequence[Entry], record: Record, accepted: MissionAccepted | None = None
+) -> tuple[Record, Stale]:
+    """What tells which facts were seen too long ago, by the entries so far and those to come."""
+    from plainspoken.knowledge.facts import Folding
+    from plainspoken.world.sense import Senses
+
+    if not Senses.of(accepted or accepted_of(entries)):
+        return record, frozenset
+    folding = Folding()
+    for entry in entries:
+        folding.take(entry)
+
+    def recorded(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
+        stored = record(instant, events)
+        for entry in stored:
+            folding.take(entry)
+        return stored
+
+    return recorded, lambda: folding.facts().stale(datetime.now(UTC))
 
 
 def accepted_of(entries: Sequence[Entry]) -> MissionAccepted:

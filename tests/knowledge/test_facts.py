@@ -9,7 +9,14 @@ from tests.knowledge.a_run import ACCEPTED, ENTRIES
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.facts import Fact, Source, facts_after, trace_of
-from plainspoken.world.event import ActionFinished, Entry, MissionAccepted
+from plainspoken.world.event import (
+    ActionFailed,
+    ActionFinished,
+    Entry,
+    MissionAccepted,
+    ObservationMade,
+    ReportReceived,
+)
 from plainspoken.world.symbol import ActionSymbol, AtomSymbol
 
 ATOMS = st.sampled_from(["a", "b", "c x", "d x y"])
@@ -19,8 +26,12 @@ STATES = st.lists(st.frozensets(ATOMS), min_size=1, max_size=12)
 def test_each_fact_says_since_when_and_because_of_what() -> None:
     facts = facts_after(ENTRIES)
     noon = "2026-11-22T10:00:"
-    assert facts.fact("open door") == Fact("open door", True, Source.ACTION, 3, 1, f"{noon}03Z")
-    assert facts.fact("lit lamp") == Fact("lit lamp", False, Source.OBSERVATION, 7, 3, f"{noon}07Z")
+    assert facts.fact("open door") == Fact(
+        "open door", True, Source.ACTION, 3, 1, f"{noon}03Z", "open door"
+    )
+    assert facts.fact("lit lamp") == Fact(
+        "lit lamp", False, Source.OBSERVATION, 7, 3, f"{noon}07Z", "light lamp"
+    )
     assert facts.fact("part-of lamp room") == Fact(
         "part-of lamp room", True, Source.INITIAL, 0, 0, f"{noon}00Z"
     )
@@ -106,7 +117,7 @@ def test_static_atoms_are_part_of_what_is_true_now() -> None:
     assert facts_after([Entry(0, "", 0, ACCEPTED)]).state == {"shut door", "part-of lamp room"}
 
 
-STALE = replace(ACCEPTED, robot={"stale": {"lit": 60.0}})
+STALE = replace(ACCEPTED, robot={"senses": [{"atom": "lit {x}", "lasts": 60.0}]})
 LAST_LOOK = datetime(2026, 11, 22, 10, 0, 7, tzinfo=UTC)
 
 
@@ -127,3 +138,102 @@ def test_a_fact_that_was_seen_too_long_ago_is_not_known_any_more(
     assert known.holds is holds
     assert known.fact == facts.fact(atom)
     assert datetime.fromisoformat(known.seen) == LAST_LOOK
+
+
+def test_a_fact_nobody_knows_is_neither_true_nor_false() -> None:
+    first = replace(ACCEPTED, unknown=("shut door", "lit lamp"), **PLANNED)
+    facts = facts_after([Entry(0, "2026-11-22T10:00:00Z", 0, first)])
+    for atom in ("shut door", "lit lamp"):  # one is assumed to be true, the other is not
+        known = facts.known(atom, LAST_LOOK)
+        assert known.holds is None
+        assert not known.is_stale
+        assert known.seen == ""
+
+
+PLANNED = {
+    "domain": """(define (domain d) (:predicates (lit ?x) (open ?x))
+      (:action light :parameters (?x) :precondition (and) :effect (lit ?x))
+      (:action try :parameters (?x) :precondition (and) :effect (oneof (open ?x) (lit ?x))))""",
+    "problem": "(define (problem p) (:domain d) (:objects a b) (:init) (:goal (lit a)))",
+}
+HIDDEN = ("lit a", "lit b", "open a", "open b")
+NEEDED = [{"atom": "lit {x}", "by": ["eye"], "lasts": 50, "needed": True}]
+_HOLDS = st.sampled_from([True, False, None])
+SAYINGS = st.one_of(
+    st.tuples(st.just("sensed"), st.sampled_from(HIDDEN), _HOLDS),
+    st.tuples(st.just("report"), st.sampled_from(HIDDEN), st.booleans()),
+    st.tuples(st.just("light"), st.sampled_from("ab"), st.none()),
+    st.tuples(st.just("try"), st.sampled_from("ab"), st.sampled_from(["open", "lit"])),
+    st.tuples(st.just("fails"), st.none(), st.none()),
+)
+
+
+@given(
+    st.lists(SAYINGS, max_size=12),
+    st.frozensets(st.sampled_from(HIDDEN)),
+    st.integers(0, 200),
+)
+def test_no_log_makes_known_what_no_event_says_and_nothing_stale_is_known(
+    sayings: list[tuple[str, str | None, bool | str | None]], unknown: frozenset[str], later: int
+) -> None:
+    start = datetime(2026, 11, 22, 10, tzinfo=UTC)
+    first = replace(
+        ACCEPTED,
+        static=(),
+        state=frozenset(),
+        robot={"senses": NEEDED},
+        unknown=tuple(sorted(unknown)),
+        **PLANNED,
+    )
+    entries = [Entry(0, start.isoformat(), 0, first)]
+    # The judge: of each atom, the last that was said of it, and when. Nothing else is known.
+    said: dict[str, tuple[bool, int]] = {a: (False, 0) for a in HIDDEN if a not in unknown}
+    state: frozenset[str] = frozenset()
+    instant = 0
+    for step, (what, about, how) in enumerate(sayings, start=1):
+        event, told = _event(what, about, how, state)
+        for atom, holds in told.items():
+            said[atom] = (holds, step)
+        changed = event.state ^ state
+        assert changed <= told.keys()
+        is_action = isinstance(event, ActionFinished)
+        instant += is_action or bool(changed)
+        state = event.state
+        if not isinstance(event, ObservationMade | ReportReceived):
+            # A look at the world tells of all that is not looked at one by one, once it is known.
+            for atom in ("open a", "open b"):
+                if atom in said:
+                    said[atom] = (atom in state, step)
+        time = (start + timedelta(seconds=10 * step)).isoformat()
+        entries.append(Entry(step, time, instant, event))
+    at = start + timedelta(seconds=10 * len(sayings) + later)
+    facts = facts_after(entries)
+    for atom in HIDDEN:
+        holds, step = said.get(atom, (None, 0))
+        if atom.startswith("lit") and (at - start).total_seconds() - 10 * step > 50:
+            holds = None
+        assert facts.known(atom, at).holds is holds
+
+
+def _event(
+    what: str,
+    about: str | None,
+    how: bool | str | None,  # noqa: FBT001 - drawn
+    state: frozenset[str],
+) -> tuple[ActionFailed | ActionFinished | ObservationMade | ReportReceived, dict[str, bool]]:
+    """An event, and what it says of single atoms."""
+    match what:
+        case "sensed" | "report":
+            told = {} if how is None else {str(about): bool(how)}
+            true = {atom for atom, holds in told.items() if holds}
+            now = (state - told.keys()) | true
+            document = ({"atom": about, "holds": how, "by": "eye"},)
+            if what == "sensed":
+                return ObservationMade("eye", (), (), now, document), told
+            return ReportReceived("ada", "", (), (), now, document), told
+        case "light" | "try":
+            atom = f"{'lit' if what == 'light' else how} {about}"
+            known = {atom: True} if what == "light" or atom not in state else {}
+            return ActionFinished(f"{what} {about}", "g", state | {atom}, None), known
+        case _:
+            return ActionFailed("light a", "g", "no", state), {}

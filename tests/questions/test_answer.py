@@ -196,6 +196,7 @@ def test_an_answer_is_the_line_of_the_batch_file() -> None:
         "denied": [],
         "actions": [],
         "known": True,
+        "wanted": [],
         "seconds": 0.01,
     }
 

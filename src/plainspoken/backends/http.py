@@ -57,6 +57,11 @@ class Request:
     path: str
 
     @property
+    def does_something(self) -> bool:
+        """Whether it may not simply be made again; `GET` only reads."""
+        return self.method != "GET"
+
+    @property
     def named(self) -> frozenset[str]:
         """The fields that go into the path."""
         return frozenset(path.partition(".")[0] for path in paths_in(self.path))
@@ -235,7 +240,8 @@ class HttpService:
             try:
                 reply = begun.result()
             except Unreachable as error:
-                if self._poll is None and not isinstance(error, NeverSent):
+                lost = not isinstance(error, NeverSent) and self._begin.does_something
+                if self._poll is None and lost:
                     return NotDone(f"it is not known whether it was done: {error.what}")
                 del self._begun[call]  # the poll will tell whether it was heard
                 raise
@@ -245,6 +251,8 @@ class HttpService:
                 return Done(reply.body)
             self._remember(call, reply)
             self._last[call] = Going({})
+        if self._poll is None and not self._begin.does_something:
+            return Unheard()
         if self._poll is None:
             return NotDone("it is not known whether it was done: nobody waited for the answer")
         return self._polled(call)

@@ -235,6 +235,7 @@ class MissionService:
         robots = SIMULATOR if self.robots is None else str(self.robots.absolute())
         part_of = call.partition("/")[0]
         request = Request(call, formula, robot={"robot": robots, "part_of": part_of})
+        request = request.knowing(robot)
         return carry_out(site, request, ending.policy, robot, record, requests=requests)
 
     @contextmanager

@@ -6,6 +6,7 @@ import json
 import sys
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,8 @@ import click
 from click.core import ParameterSource
 
 from plainspoken.cli.batch import batch_options, run_batch
+from plainspoken.cli.record import utc_now
+from plainspoken.cli.robots import person
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, entries_of, open_store, store_option
 from plainspoken.errors import PlainspokenError
@@ -21,7 +24,10 @@ from plainspoken.pipeline import accepted_of
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.moment import Moment
+from plainspoken.work.asking import look
+from plainspoken.work.shift import robots_of
 from plainspoken.world.event import Entry
+from plainspoken.world.sense import Senses
 
 
 @click.command()
@@ -60,7 +66,8 @@ def ask(
     """Ask what the robot is doing, has done, will do, why, and how far it is.
 
     The answer is computed from the log and the policy in it; each claim carries the instants it
-    is about and the entries it rests on. Without --log, the mission run last is asked.
+    is about and the entries it rests on. Without --log, the mission run last is asked; what is not
+    known is looked at first, where somebody carries the mission out and a service can tell.
 
     \b
     plainspoken ask "What are you doing now?"
@@ -73,15 +80,18 @@ def ask(
         _talk(mission, store)
         return
     entries = _entries(log, mission, store)
+    live = log is None and at is None
     if at is not None and at >= len(entries):
         raise PlainspokenError(
             f"there is no step {at} in this log", hint=f"its steps are 0 to {len(entries) - 1}"
         )
-    moment = Moment(entries, at)
+    moment = Moment(entries, at, utc_now() if live else None)
 
     def answered(text: str, id: object = None) -> tuple[Answer, dict[str, Any]]:
         started = time.perf_counter()
         found = answer_at(text, moment, full=full)
+        if live and batch is None and found.wanted:
+            found = _looked(found, text, moment, store, full=full)
         return found, found.to_json(id, text, time.perf_counter() - started)
 
     if batch is not None:
@@ -99,7 +109,6 @@ def ask(
 def _talk(mission: str | None, store: str | None) -> None:
     """Answer line by line; tell the mission what was reported, or is to change, once agreed to."""
     from plainspoken.cli.asked import put
-    from plainspoken.cli.robots import person
     from plainspoken.questions.conversation import Conversation, message_of
 
     conversation = Conversation()
@@ -108,11 +117,27 @@ def _talk(mission: str | None, store: str | None) -> None:
         for line in sys.stdin:
             if not line.strip():
                 continue
-            said = conversation.say(line.strip(), Moment(kept.entries(id)))
+            said = conversation.say(line.strip(), Moment(kept.entries(id), now=utc_now()))
             conversation = said.then
             if said.agreed is not None:
                 put(kept, id, message_of(said.agreed, person()))
             click.echo(said.answer.text)
+
+
+def _looked(
+    found: Answer, question: str, moment: Moment, store: str | None, *, full: bool
+) -> Answer:
+    """An answer after a look at what it needs, where somebody carries the mission out who can."""
+    senses = Senses.of(moment.mission)
+    atoms = frozenset(filter(senses.can_tell, found.wanted))
+    if not atoms or moment.ended is not None:
+        return found
+    mission = moment.mission.mission
+    with open_store(store) as kept:
+        if not look(kept, mission, atoms, person(), robots_of(moment.mission)):
+            return found
+        seen = answer_at(question, Moment(kept.entries(mission), now=utc_now()), full=full)
+    return replace(seen, text=f"Let me look. {seen.text}")
 
 
 def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> None:

@@ -1,10 +1,11 @@
-"""`plainspoken missions`: what is in a store, what is asked of a mission, and its log."""
+"""`plainspoken missions`: what is in a store, what is asked of a mission, its log and facts."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
 from contextlib import ExitStack
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,11 @@ from rich.table import Table
 from plainspoken.cli.asked import askable, put, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.foreground import ended, going_on, watched
-from plainspoken.cli.record import fresh_file
+from plainspoken.cli.record import fresh_file, utc_now
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
 from plainspoken.cli.verdicts import verdicts
+from plainspoken.knowledge.facts import facts_after
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
 from plainspoken.mission.mailbox import to_message
@@ -184,6 +186,36 @@ def change(
             otherwise=otherwise,
             as_json=as_json,
         )
+
+
+@missions.command()
+@click.argument("id")
+@store_option
+@click.option("--at", type=click.IntRange(min=0), metavar="STEP", help="What was known then.")
+@_json
+def facts(id: str, store: str | None, at: int | None, *, as_json: bool) -> None:
+    """List what is known in the mission ID: true, false or unknown, since when, and from whom."""
+    with open_store(store) as kept:
+        entries = [entry for entry in entries_in(kept, id) if at is None or entry.step <= at]
+    now = utc_now() if at is None else datetime.fromisoformat(entries[-1].time)
+    found = [each.to_json() for each in facts_after(entries).all_known(now)]
+    if as_json:
+        click.echo(json.dumps(found, indent=2, ensure_ascii=False))
+        return
+    said = {True: "true", False: "false", None: "unknown"}
+    table = Table("fact", "is", "source", "by", "since", "last seen", "step")
+    for one in found:
+        stale = f" (was {said[one['last']]})" if one["holds"] is not one["last"] else ""
+        table.add_row(
+            one["atom"],
+            said[one["holds"]] + stale,
+            one["source"],
+            one["by"] or "",
+            one["since"],
+            one["seen"] or "never",
+            str(one["seen_step"]),
+        )
+    Console().print(table)
 
 
 @missions.command()

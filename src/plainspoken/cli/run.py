@@ -13,7 +13,7 @@ from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
 from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
-from plainspoken.cli.robots import KINDS, Robots, chosen_robot, opened, robot_in
+from plainspoken.cli.robots import KINDS, chosen_robot, opened, robot_in
 from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
@@ -22,6 +22,7 @@ from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
 from plainspoken.mission.mission import Mission
+from plainspoken.mission.run import heeding
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Solved
@@ -150,16 +151,15 @@ def run(
         raise click.UsageError("with --detach nothing is watched: leave out --log and --json")
     if log is not None:
         fresh_file(log, overwrite=overwrite)
-    if isinstance(chosen, Robots):
-        with open_store(store) as kept, opened(site, chosen, mission=id, store=kept):
-            pass  # before it is planned: what is wrong with a robots' file is known at once
+    robot_set = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
+    with open_store(store) as kept, opened(site, chosen, mission=id, store=kept) as (found, _):
+        # Before it is planned: what is wrong with a robots' file is known at once.
+        request = Request(id, formula, say, robot_set).knowing(found)
     with progress_shown() as on_progress:
         ending = find_policy(site.problem, formula, timeout=timeout, on_progress=on_progress)
     if not isinstance(ending, Solved):
         click.echo(f"plainspoken: {why_not(ending, site)}", err=True)
         sys.exit(NO)
-    robot_set = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
-    request = Request(id, formula, say, robot_set)
     with open_store(store) as kept:
         if detach:
             _left_to_workers(kept, site, request, ending.policy)
@@ -209,7 +209,7 @@ def _carried_out(
                 request,
                 policy,
                 FencedRobot(robot, held),
-                record,
+                heeding(robot, record),
                 requests=held.requests,
                 patience=patience,
             )

@@ -9,12 +9,13 @@ from typing import Any
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.fault import FaultyRobot, fault_from
 from plainspoken.mission.kept_simulator import KeptSimulator
-from plainspoken.mission.mission import MissionId, mission_from
+from plainspoken.mission.mission import Mission, MissionId, mission_from
 from plainspoken.mission.robot import Robot, Seconds
 from plainspoken.mission.run import Patience
-from plainspoken.mission.simulator import Simulator, steering_from
-from plainspoken.pipeline import Site
-from plainspoken.world.domain import GroundAction, State
+from plainspoken.mission.simulator import Simulator, Steering, steering_from
+from plainspoken.mission.veil import VeiledRobot, drawn
+from plainspoken.pipeline import Site, accepted_of
+from plainspoken.world.domain import GroundAction, Problem, State
 from plainspoken.world.event import ActionFinished, Entry
 
 PATIENT_SECONDS = 60.0
@@ -85,6 +86,32 @@ def simulated(
         whose world is kept in a file
     """
     steering = [steering_from(text, site.problem) for text in settings.steering]
+    robot, patience = _seeing_all(
+        site, settings, steering, mission=mission, pace=pace, entries=entries
+    )
+    if not site.problem.unknown or (entries and "senses" not in accepted_of(entries).robot):
+        return robot, patience
+    now = mission_from(entries) if entries else None
+    veiled = VeiledRobot(
+        robot,
+        site.problem,
+        belief=None if now is None else now.world,
+        under_way={now.in_flight.goal_id: now.in_flight.action} if now and now.in_flight else {},
+    )
+    return veiled, patience
+
+
+def _seeing_all(
+    site: Site,
+    settings: Settings,
+    steering: Sequence[Steering],
+    *,
+    mission: MissionId,
+    pace: float | None,
+    entries: Sequence[Entry],
+) -> tuple[Robot, Patience]:
+    """A robot from which nothing is hidden."""
+    problem = drawn(site.problem, settings.seed, steering)
     faults = tuple(fault_from(text) for text in settings.faults)
     pace = settings.pace if pace is None else pace
     if settings.world is not None:
@@ -94,27 +121,28 @@ def simulated(
                 hint="leave out --fault or --world",
             )
         kept = KeptSimulator(
-            settings.world,
-            mission,
-            site.problem,
-            seed=settings.seed,
-            steering=steering,
-            pace=pace,
+            settings.world, mission, problem, seed=settings.seed, steering=steering, pace=pace
         )
         return kept, Patience(action=lambda _: settings.limit)
     simulator = Simulator(
-        site.problem,
+        problem,
         seed=settings.seed,
         steering=steering,
-        state=mission_from(entries).world if entries else None,
+        state=_real(mission_from(entries), problem) if entries else None,
         history=list(_history(entries)),
         pace=pace,
     )
     if not faults:
         return simulator, Patience(action=lambda _: settings.limit)
-    robot = FaultyRobot(site.problem, simulator, faults, seed=settings.seed)
+    robot = FaultyRobot(problem, simulator, faults, seed=settings.seed)
     limit = settings.limit or PATIENT_SECONDS
     return robot, Patience(action=lambda _: limit, clock=lambda: robot.elapsed, sleep=robot.sleep)
+
+
+def _real(now: Mission, problem: Problem) -> State:
+    """The world of a mission: what it does not know is as chance decided at first."""
+    unknown = now.lookout.unknown
+    return (now.world - unknown) | (problem.initial & unknown)
 
 
 def _history(entries: Sequence[Entry]) -> Iterable[tuple[State, GroundAction]]:

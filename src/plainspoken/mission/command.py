@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from plainspoken.logic.formula import Formula
 from plainspoken.mission.mission import GoalId
-from plainspoken.world.domain import GroundAction, State
+from plainspoken.world.domain import GroundAction, GroundAtom, State
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +37,14 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
+class Sense:
+    """Have these facts looked at. The same look twice is one look."""
+
+    look: str
+    atoms: tuple[GroundAtom, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Reconnect:
     """Try until the robot can be reached again, or long enough."""
 
@@ -52,4 +60,4 @@ class Plan:
     remaining: Formula
 
 
-Command = Send | Attach | CancelAction | Look | Reconnect | Plan
+Command = Send | Attach | CancelAction | Look | Sense | Reconnect | Plan

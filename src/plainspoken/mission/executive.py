@@ -27,6 +27,7 @@ from plainspoken.mission.command import (
     Plan,
     Reconnect,
     Send,
+    Sense,
 )
 from plainspoken.mission.coverage import sound_nodes
 from plainspoken.mission.judgement import broken, reached
@@ -45,7 +46,9 @@ from plainspoken.mission.observation import (
     ActionNotDone,
     CancelAsked,
     ChangeAsked,
+    FactsTold,
     Found,
+    LookAsked,
     Lost,
     NeverHeard,
     NotPlanned,
@@ -61,6 +64,7 @@ from plainspoken.mission.observation import (
     Told,
 )
 from plainspoken.mission.request import clauses_to_json
+from plainspoken.mission.sensing import in_vain, is_verdict_open, needed, seen_state, told
 from plainspoken.mission.surprise import difference, surprise
 from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.world.domain import State
@@ -76,6 +80,7 @@ from plainspoken.world.event import (
     ChangeRequested,
     DeviationNoticed,
     Event,
+    LookRequested,
     MissionAccepted,
     MissionEnded,
     ObservationMade,
@@ -124,24 +129,28 @@ def queued(accepted: MissionAccepted, policy: Policy) -> tuple[Event, ...]:
     return tuple(takewhile(lambda event: not isinstance(event, ActionStarted), events))
 
 
-def advance(mission: Mission, observation: Observation) -> Advance:
-    """Take in one observation and decide how to go on."""
+def advance(mission: Mission, observation: Observation, stale: State = frozenset()) -> Advance:
+    """Take in one observation and decide how to go on.
+
+    stale: atoms that were seen too long ago to rest a decision on
+    """
     events: list[Event] = []
     if not mission.is_over:
         for learned in _learned(mission, observation):
             mission = after(mission, learned)
             events.append(learned)
-        event = _decision(mission) if events else None
+        event = _decision(mission, stale) if events else None
         while event is not None:
             mission = after(mission, event)
             events.append(event)
-            event = _decision(mission)
-        if any(isinstance(each, ActionStarted | ActionFinished) for each in events):
-            beside = begun_beside(mission)
-            if beside is not None:
-                mission = after(mission, beside)
-                events.append(beside)
-    return Advance(mission, tuple(_commands(mission, observation, events)), tuple(events))
+            event = _decision(mission, stale)
+        acted = any(isinstance(each, ActionStarted | ActionFinished) for each in events)
+        beside = begun_beside(mission) if acted and not needed(mission, stale) else None
+        if beside is not None:
+            mission = after(mission, beside)
+            events.append(beside)
+    commands = tuple(_commands(mission, observation, events, stale))
+    return Advance(mission, commands, tuple(events))
 
 
 def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
@@ -153,7 +162,7 @@ def _learned(mission: Mission, observation: Observation) -> tuple[Event, ...]:
                 if goal.goal_id == observation.goal_id:
                     return _heard(mission, goal, observation)
             return ()
-        case Sensed() | Told() | Lost() | Found():
+        case Sensed() | FactsTold() | LookAsked() | Told() | Lost() | Found():
             event = _seen(mission, observation)
         case Planned(policy):
             return _chosen(mission, policy)
@@ -221,7 +230,9 @@ def _done(
     return (finished,)
 
 
-def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event | None:
+def _seen(
+    mission: Mission, observation: Sensed | FactsTold | LookAsked | Told | Lost | Found
+) -> Event | None:
     """What is learned of the world, or of the connection to it."""
     static = mission.brief.static
     match observation:
@@ -230,9 +241,22 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
             if state == mission.state and not mission.looking:
                 return None
             return ObservationMade(source, *difference(mission.state, state), state)
+        case FactsTold(tellings):
+            tellings = told(mission, tellings)
+            state = seen_state(mission, tellings)
+            source = ", ".join(dict.fromkeys(each.by for each in tellings))
+            sensed = tuple(each.to_json() for each in tellings)
+            return ObservationMade(source, *difference(mission.state, state), state, sensed)
+        case LookAsked(by, atoms):
+            wanted = filter(mission.lookout.senses.can_tell, atoms - mission.lookout.wanted)
+            asked = tuple(sorted(wanted))
+            return LookRequested(by, asked) if asked else None
         case Told(reporter, text, added, deleted):
             state = (mission.state - deleted) | (added - static)
-            return ReportReceived(reporter, text, *difference(mission.state, state), state)
+            facts = tuple(
+                {"atom": atom, "holds": atom in added} for atom in sorted(added | deleted)
+            )
+            return ReportReceived(reporter, text, *difference(mission.state, state), state, facts)
         case Lost(reason, for_good):
             if for_good:
                 return _stopped(mission, f"the robot cannot be reached: {reason}")
@@ -243,11 +267,11 @@ def _seen(mission: Mission, observation: Sensed | Told | Lost | Found) -> Event 
             assert_never(observation)
 
 
-def _decision(mission: Mission) -> Event | None:
+def _decision(mission: Mission, stale: State) -> Event | None:
     """The next event that the mission itself brings about; None where it has to wait."""
     if mission.is_over:
         return None
-    certain = reached(mission)
+    certain = None if is_verdict_open(mission) else reached(mission)
     if certain is not None:
         return certain
     if mission.in_flight is not None or (mission.beside is not None and not goes_on(mission)):
@@ -257,6 +281,10 @@ def _decision(mission: Mission) -> Event | None:
     if mission.lost is not None or mission.looking:
         return None
     if mission.change is not None and mission.paused_by is None:
+        return None
+    if mission.paused_by is None and (doubts := in_vain(mission, stale)):
+        return _stopped(mission, f"nothing could tell whether {' and '.join(sorted(doubts))}")
+    if needed(mission, stale):
         return None
     lost = broken(mission)
     if lost:
@@ -308,9 +336,14 @@ def _decision_at(mission: Mission, id: NodeId) -> Event:
     return ActionStarted(node.action, id, f"{mission.id}/{mission.sent + 1}")
 
 
-def _commands(mission: Mission, observation: Observation, events: list[Event]) -> Iterator[Command]:
+def _commands(
+    mission: Mission, observation: Observation, events: list[Event], stale: State
+) -> Iterator[Command]:
     if mission.is_over:
         return
+    doubts = needed(mission, stale)
+    if doubts:
+        yield Sense(f"{mission.id}/look-{mission.lookout.looks + 1}", tuple(sorted(doubts)))
     if mission.lost is not None:
         yield Reconnect()
     elif mission.under_way:
@@ -326,7 +359,7 @@ def _commands(mission: Mission, observation: Observation, events: list[Event]) -
         yield Look()
     elif mission.change is not None and mission.paused_by is None:
         yield Plan(mission.world, left_of(mission.change.monitor))
-    elif mission.paused_by is None and mission.node is None:
+    elif mission.paused_by is None and mission.node is None and not doubts:
         yield Plan(mission.world, mission.remaining)
 
 

@@ -9,13 +9,14 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.mission.observation import (
     CancelAsked,
     ChangeAsked,
+    LookAsked,
     PauseAsked,
     ResumeAsked,
     Told,
 )
 from plainspoken.mission.request import clauses_from_json, clauses_to_json
 
-Asked = PauseAsked | ResumeAsked | CancelAsked | Told | ChangeAsked
+Asked = PauseAsked | ResumeAsked | CancelAsked | Told | ChangeAsked | LookAsked
 
 
 def to_message(asked: Asked) -> str:
@@ -28,6 +29,8 @@ def to_message(asked: Asked) -> str:
             document = {"ask": "resume", "by": by}
         case CancelAsked(by):
             document = {"ask": "cancel", "by": by}
+        case LookAsked(by, atoms):
+            document = {"ask": "look", "by": by, "atoms": sorted(atoms)}
         case Told(reporter, text, added, deleted):
             document = {
                 "ask": "report",
@@ -63,6 +66,8 @@ def from_message(text: str) -> Asked:
                 return ResumeAsked(document["by"])
             case "cancel":
                 return CancelAsked(document["by"])
+            case "look":
+                return LookAsked(document["by"], frozenset(document["atoms"]))
             case "report":
                 added, deleted = frozenset(document["added"]), frozenset(document["deleted"])
                 return Told(document["by"], document["text"], added, deleted)

@@ -16,6 +16,7 @@ from plainspoken.automata.verdict import Monitor, Verdict
 from plainspoken.errors import PlainspokenError
 from plainspoken.logic.formula import Constant, Formula, Next, WeakNext
 from plainspoken.logic.syntax import parse
+from plainspoken.mission.lookout import Lookout
 from plainspoken.mission.request import (
     Clause,
     Past,
@@ -39,6 +40,7 @@ from plainspoken.world.event import (
     Entry,
     Event,
     Instant,
+    LookRequested,
     MissionAccepted,
     MissionEnded,
     ObservationMade,
@@ -146,6 +148,7 @@ class Mission:
     lost:      why the robot cannot be reached
     change:    what somebody wants instead, to be planned as soon as nothing is under way
     settled:   whether the log says that the verdict is certain
+    lookout:   what is not known, and what is to be looked at
     """
 
     brief: Brief
@@ -172,6 +175,7 @@ class Mission:
     settled: bool = False
     ended: MissionEnded | None = None
     limits: Limits = field(default_factory=Limits)
+    lookout: Lookout = field(default_factory=Lookout)
 
     @property
     def id(self) -> MissionId:
@@ -208,7 +212,10 @@ class Mission:
     def is_at_rest(self) -> bool:
         """Whether nothing goes on and nothing will until somebody asks for it."""
         return self.is_over or (
-            self.paused_by is not None and not self.under_way and self.cancelled_by is None
+            self.paused_by is not None
+            and not self.under_way
+            and self.cancelled_by is None
+            and not self.lookout.wanted
         )
 
     @property
@@ -242,11 +249,21 @@ def begun(accepted: MissionAccepted, limits: Limits) -> Mission:
     brief = Brief(accepted.mission, problem, clauses, symbols, static, together)
     past = Past(accepted.state | static, None)
     monitor = monitor_of(clauses, symbols, past)
-    return Mission(brief, accepted.state, accepted.state, monitor, past, limits=limits)
+    lookout = Lookout.of(accepted, problem)
+    return Mission(
+        brief, accepted.state, accepted.state, monitor, past, limits=limits, lookout=lookout
+    )
 
 
 def after(mission: Mission, event: Event) -> Mission:
     """The mission after an event of its log."""
+    lookout = mission.lookout.after(
+        event, mission.state, mission.brief.static, mission.brief.problem
+    )
+    return replace(_after(mission, event), lookout=lookout)
+
+
+def _after(mission: Mission, event: Event) -> Mission:
     match event:
         case ActionStarted(action, node, goal_id):
             goal, sent = ActionInFlight(goal_id, action, node), mission.sent + 1
@@ -263,9 +280,10 @@ def after(mission: Mission, event: Event) -> Mission:
         case ActionFailed(_, goal_id, _, state):
             failed = replace(_over(mission, goal_id), failures=mission.failures + 1)
             return failed if state == mission.state else _next_instant(failed, state, None)
-        case ObservationMade(_, _, _, state) | ReportReceived(_, _, _, _, state):
-            seen = replace(mission, looking=mission.looking and isinstance(event, ReportReceived))
-            return seen if state == mission.state else _next_instant(seen, state, None)
+        case ObservationMade(_, _, _, state, sensed):
+            return _seen(replace(mission, looking=mission.looking and bool(sensed)), state)
+        case ReportReceived(_, _, _, _, state):
+            return _seen(mission, state)
         case DeviationNoticed(_, _, _, node):
             noticed = replace(mission, noticed=True)
             return noticed if node is None else _at_node(noticed, node)
@@ -288,7 +306,7 @@ def after(mission: Mission, event: Event) -> Mission:
             return replace(mission, looking=not mission.under_way)
         case Cancelled(by):
             return replace(mission, cancelled_by=by)
-        case ActionProgressed():
+        case ActionProgressed() | LookRequested():
             return mission
         case ActionOverdue() | ActionResent():
             return replace(
@@ -382,6 +400,32 @@ def changed(mission: Mission, asked: ChangeRequested | RequestChanged) -> Change
     brief = replace(mission.brief, clauses=clauses, symbols=symbols)
     monitor = monitor_of(clauses, symbols, mission.past)
     return Change(asked.by, asked.text, brief, monitor, asked.english)
+
+
+def _seen(mission: Mission, state: State) -> Mission:
+    """The mission once this is known of the world, with no action.
+
+    What was not known before did not change: the instant itself is as it is seen now.
+    """
+    if state == mission.state:
+        return mission
+    if not state ^ mission.state <= mission.lookout.unknown:
+        return _next_instant(mission, state, None)
+    brief, change = mission.brief, mission.change
+    past = replace(mission.past, state=state | brief.static)
+    if change is not None:
+        monitor = monitor_of(change.brief.clauses, change.brief.symbols, past)
+        change = replace(change, monitor=monitor)
+    return replace(
+        mission,
+        past=past,
+        change=change,
+        state=state,
+        previous=mission.state if mission.led_by is None else mission.previous,
+        monitor=monitor_of(brief.clauses, brief.symbols, past),
+        node=None,
+        noticed=False,
+    )
 
 
 def _next_instant(mission: Mission, state: State, action: GroundAction | None) -> Mission:

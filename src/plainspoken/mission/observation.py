@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from plainspoken.mission.mission import GoalId
 from plainspoken.mission.request import Clause
+from plainspoken.mission.sensing import Telling
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import GroundAtom, State
 
@@ -85,6 +86,21 @@ class Sensed:
 
 
 @dataclass(frozen=True, slots=True)
+class FactsTold:
+    """Single facts were looked at."""
+
+    told: tuple[Telling, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LookAsked:
+    """Somebody wants to know of these facts."""
+
+    by: str
+    atoms: frozenset[GroundAtom]
+
+
+@dataclass(frozen=True, slots=True)
 class Told:
     """A person says what they did or saw."""
 
@@ -155,6 +171,8 @@ Observation = (
     | Found
     | ChangeAsked
     | Sensed
+    | FactsTold
+    | LookAsked
     | Told
     | Planned
     | NotPlanned

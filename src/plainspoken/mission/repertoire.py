@@ -6,7 +6,7 @@ state: what was believed before, the outcomes of the domain, and what the result
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from plainspoken.mission.activity import Activity, Literal
@@ -15,6 +15,10 @@ from plainspoken.mission.service import Fields
 from plainspoken.mission.template import Table, filled, meets
 from plainspoken.world.domain import GroundAction, GroundAtom, Parameter, Problem, State
 from plainspoken.world.scene import is_applicable, successors
+from plainspoken.world.sense import Sense
+
+TRIES = 3
+"""How often a service that cannot be reached is asked about a fact, where nobody says."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,20 +45,6 @@ class Conduct:
 
 
 @dataclass(frozen=True, slots=True)
-class Sensor:
-    """A service that tells of a fact, for every object that fits its parameters.
-
-    atom, fields and when are templates over the parameters
-    """
-
-    atom: str
-    parameters: tuple[Parameter, ...]
-    service: str
-    fields: Fields
-    when: Fields
-
-
-@dataclass(frozen=True, slots=True)
 class Offer:
     """What is said of a service beside how it is reached.
 
@@ -69,6 +59,66 @@ class Offer:
     progress: str = "{progress}"
     doing: str = "{doing}"
     limit: Seconds = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """One service that tells of a fact; everything is a template over the sensor's parameters.
+
+    when:   what its result is where the fact holds
+    unless: what it is where the fact does not hold; None is whenever it is anything else
+    """
+
+    service: str
+    fields: Fields
+    when: Fields
+    unless: Fields | None = None
+
+    def told(
+        self, result: Fields, values: Mapping[str, str], objects: Table, offer: Offer
+    ) -> bool | None:
+        """Whether the fact holds, by such a result; None where it cannot tell."""
+        if not meets(result, offer.succeeds):
+            return None
+        if meets(result, filled(self.when, values, objects)):
+            return True
+        if self.unless is None or meets(result, filled(self.unless, values, objects)):
+            return False
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Sensor:
+    """How a fact is sensed, for every object that fits its parameters.
+
+    atom:   a template over the parameters
+    ways:   who is asked, in this order, until somebody can tell
+    needed: whether only when a decision or an answer needs it; else with every look at the world
+    lasts:  seconds for which a look is good; None for as long as nothing changes the fact
+    tries:  how often a service that cannot be reached is asked
+    unknown: whether nobody knows at s0
+    """
+
+    atom: str
+    parameters: tuple[Parameter, ...]
+    ways: tuple[Ask, ...]
+    needed: bool = False
+    lasts: Seconds | None = None
+    tries: int = TRIES
+    unknown: bool = False
+
+    @property
+    def sense(self) -> Sense:
+        """What the log says of it."""
+        by = tuple(each.service for each in self.ways) if self.needed else ()
+        return Sense(self.atom, by, self.lasts, self.needed)
+
+    def values(self, atom: GroundAtom) -> dict[str, str] | None:
+        """What the parameters are for an atom; None where it does not fit."""
+        if not self.sense.fits(atom):
+            return None
+        pairs = zip(self.atom.split(), atom.split(), strict=True)
+        return {term.strip("{}"): word for term, word in pairs if term.startswith("{")}
 
 
 @dataclass(frozen=True)
@@ -112,16 +162,10 @@ def landed(
     if outcomes and fitting is None:
         return Failed(f"its result is none of the outcomes: {dict(result)}", amended(before, seen))
     facts = fitting.facts if fitting is not None else ()
-    applicable = is_applicable(problem, before, action)
-    possible = [
-        state
-        for state in (successors(problem, before, action) if applicable else ())
-        if all(fact.holds_in(state) for fact in facts)
-    ]
-    open_atoms = frozenset[GroundAtom]()
+    possible = _possible(problem, before, action, facts)
+    open_atoms = _open_atoms(possible)
     if len(possible) > 1:
         # What is sensed tells outcomes apart; what somebody else changed meanwhile does not.
-        open_atoms = frozenset.union(*possible) - frozenset.intersection(*possible)
         telling = [fact for fact in seen if fact.atom in open_atoms]
         possible = [state for state in possible if all(fact.holds_in(state) for fact in telling)]
     if len(possible) > 1:
@@ -129,6 +173,40 @@ def landed(
         return Failed(unclear, amended(before, (*facts, *seen)))
     # Where the domain has no such outcome, what was told and seen is all that is known.
     return Succeeded(amended(possible[0], seen) if possible else amended(before, (*facts, *seen)))
+
+
+def undecided(
+    problem: Problem,
+    before: State,
+    action: GroundAction,
+    outcomes: Iterable[Outcome],
+    result: Fields,
+) -> State:
+    """The atoms that tell apart how an action may have turned out, by what its result says."""
+    outcomes = tuple(outcomes)
+    fitting = next((outcome for outcome in outcomes if meets(result, outcome.when)), None)
+    if outcomes and fitting is None:
+        return frozenset()
+    facts = fitting.facts if fitting is not None else ()
+    return _open_atoms(_possible(problem, before, action, facts))
+
+
+def _possible(
+    problem: Problem, before: State, action: GroundAction, facts: Iterable[Literal]
+) -> list[State]:
+    """The states that an action may have led to, if these facts came about."""
+    applicable = is_applicable(problem, before, action)
+    return [
+        state
+        for state in (successors(problem, before, action) if applicable else ())
+        if all(fact.holds_in(state) for fact in facts)
+    ]
+
+
+def _open_atoms(states: Sequence[State]) -> State:
+    if len(states) < 2:
+        return frozenset()
+    return frozenset.union(*states) - frozenset.intersection(*states)
 
 
 def amended(state: State, facts: Iterable[Literal]) -> State:

@@ -60,15 +60,20 @@ def acceptance(
     english: str = "",
     landmarks: Mapping[str, Any] | None = None,
     robot: Mapping[str, Any] | None = None,
+    unknown: State = frozenset(),
 ) -> MissionAccepted:
     """The first event of a mission: all that is needed to understand its log alone.
 
     domain_text, problem_text: the PDDL that `problem` was read from
     sentence, english: what the person said, and the goal said back
     landmarks: the landmarks document; robot: which robot, and how it is set
+    unknown: atoms that nobody knows at s0, beside those that the problem names
     """
+    unknown |= problem.unknown
     static = frozenset(
-        atom for atom in problem.initial if atom.split()[0] not in problem.changing_predicates
+        atom
+        for atom in problem.initial - unknown
+        if atom.split()[0] not in problem.changing_predicates
     )
     return MissionAccepted(
         mission,
@@ -81,6 +86,7 @@ def acceptance(
         tuple(sorted(static)),
         problem.initial - static,
         robot or {},
+        tuple(sorted(unknown)),
     )
 
 

@@ -9,12 +9,13 @@ from functools import partial
 from typing import Protocol, assert_never, runtime_checkable
 
 from plainspoken.logic.formula import Formula
-from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Reconnect, Send
+from plainspoken.mission.command import Attach, CancelAction, Look, Plan, Reconnect, Send, Sense
 from plainspoken.mission.executive import Advance, advance
 from plainspoken.mission.mission import ActionInFlight, GoalId, Mission
 from plainspoken.mission.observation import (
     ActionDone,
     ActionNotDone,
+    FactsTold,
     Found,
     Lost,
     NeverHeard,
@@ -36,9 +37,10 @@ from plainspoken.mission.robot import (
     Unheard,
     Unreachable,
 )
+from plainspoken.mission.sensing import Senser, Telling
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import GroundAction, GroundAtom, State
-from plainspoken.world.event import Entry, Event, Instant, ReportReceived
+from plainspoken.world.event import Entry, Event, Instant, ObservationMade, ReportReceived
 
 Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
 """Stores events, all or none, before it returns."""
@@ -48,6 +50,10 @@ Replanner = Callable[[State, Formula, Heed], Policy | NotPlanned]
 """Finds a policy from a state (static atoms included) to a goal, or says why there is none."""
 Requests = Callable[[], Observation | None]
 """What people, or another process, ask for meanwhile: one request at a time, never waiting."""
+
+
+Stale = Callable[[], State]
+"""The atoms that were seen too long ago to rest a decision on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +83,7 @@ def run_mission(
     *,
     requests: Requests = lambda: None,
     patience: Patience | None = None,
+    stale: Stale = frozenset,
 ) -> Generator[Entry, None, Mission]:
     """Carry a mission out, giving each entry of its log once it is stored.
 
@@ -98,8 +105,9 @@ def run_mission(
                 record(left.mission.instant, left.events)
             raise
         if now.mission.is_at_rest:
+            edge.rest(now.mission)
             return now.mission
-        now = advance(now.mission, edge.observed(now))
+        now = advance(now.mission, edge.observed(now), stale())
 
 
 @runtime_checkable
@@ -110,12 +118,15 @@ class _Believer(Protocol):
 
 
 def heeding(robot: Robot, record: Record) -> Record:
-    """Have a robot that only believes what the world is like believe what people report, too."""
+    """Have a robot that only believes what the world is like believe what the log says, too.
+
+    That is what people report, and what follows from facts that were looked at.
+    """
 
     def heeded(instant: Instant, events: Sequence[Event]) -> Sequence[Entry]:
         entries = record(instant, events)
         for event in events:
-            if isinstance(event, ReportReceived) and isinstance(robot, _Believer):
+            if isinstance(event, ReportReceived | ObservationMade) and isinstance(robot, _Believer):
                 robot.believe(event.added, event.deleted)
         return entries
 
@@ -147,10 +158,17 @@ class _Edge:
         self._clock = patience.clock
         self._lost_since = self._clock()
         self._timed: dict[GoalId, _Timed] = {}
+        self._look: Sense | None = None
+
+    def rest(self, mission: Mission) -> None:
+        """Nothing more is waited for; a mission that goes on later asks again for a look."""
+        if mission.is_over:
+            self._look_at(None)
 
     def observed(self, now: Advance) -> Observation:
         """Obey the commands, and wait for the next thing that is worth deciding on."""
         mission = now.mission
+        self._look_at(next((each for each in now.commands if isinstance(each, Sense)), None))
         try:
             # A request is decided on as soon as it is taken; while an action is under way, that
             # is after the robot has the command.
@@ -160,17 +178,40 @@ class _Edge:
                 request = self._requests()
                 if request is not None:
                     return request
-                if mission.lost is not None:
-                    answer = self._reconnected()
-                elif not mission.under_way:
-                    raise AssertionError("a mission that waits for nothing is at rest")
-                else:
-                    answer = self._reached(partial(self._news_of_one, mission.under_way))
+                answer = self._waited(mission)
         except KeyboardInterrupt:
             if mission.paused_by is not None:
                 raise
             return PauseAsked("keyboard")
         return answer
+
+    def _waited(self, mission: Mission) -> Observation | None:
+        """Wait a moment for what the mission waits for."""
+        goals, look = mission.under_way, self._look
+        if mission.lost is not None:
+            return self._reconnected()
+        if look is not None:
+            seen = self._glanced(look, 0.0 if goals else self._patience.news)
+            if seen is not None or not goals:
+                return seen
+        if not goals:
+            raise AssertionError("a mission that waits for nothing is at rest")
+        return self._reached(partial(self._news_of_one, goals))
+
+    def _glanced(self, look: Sense, timeout: Seconds) -> Observation | None:
+        """What was told of single facts; None while somebody is still asked."""
+        if not isinstance(self._robot, Senser):
+            return FactsTold(tuple(Telling(atom, None, "nobody") for atom in look.atoms))
+        told = self._robot.sense(look.look, look.atoms, timeout)
+        return None if told is None else FactsTold(told)
+
+    def _look_at(self, look: Sense | None) -> None:
+        """Look at other facts from now on, or at none."""
+        before, self._look = self._look, look
+        if before is None or (look is not None and look.look == before.look):
+            return
+        if isinstance(self._robot, Senser):
+            self._robot.dismiss(before.look)
 
     def _reached(self, ask: Callable[[], Observation | None]) -> Observation | None:
         try:
@@ -206,8 +247,8 @@ class _Edge:
                     self._robot.cancel(goal_id)
                 case Look():
                     return Sensed("robot", self._robot.state())
-                case Reconnect():
-                    pass  # asking for its state is trying
+                case Sense() | Reconnect():
+                    pass  # what is told is waited for; asking for its state is trying
                 case Plan(state, remaining):
                     return self._planned(state, remaining)
                 case _:

@@ -63,7 +63,7 @@ def tell_why_not(draft: Draft, question: Question) -> bool:
         draft.evidence.add(moment.started_step)
         draft.say(f"I am {moment.lexicon.deed(str(doing)).doing} right now")
         return True
-    whole = moment.whole(moment.state)
+    whole = moment.whole(moment.believed)
     possible = [action for action in meant if is_applicable(moment.problem, whole, action)]
     draft.evidence.add(moment.steps[-1])
     if not possible:
@@ -123,7 +123,7 @@ def _tell_obstacle(draft: Draft, meant: list[GroundAction]) -> bool:
     said += [s.text for s in facts_together(moment.lexicon, hindering)]
     deed = moment.lexicon.deed(action)
     draft.say(f"I can't {deed.bare} now because {listed(said)}")
-    then = _turned(moment.whole(moment.state), missing)
+    then = _turned(moment.whole(moment.believed), missing)
     broken = _broken_part(moment, then, action)
     if broken is not None:
         draft.evidence.add(moment.entries[0].step)
@@ -146,7 +146,7 @@ def _obstacles(moment: Moment, action: GroundAction) -> tuple[tuple[GroundAtom, 
 
     An atom and whether it would have to become true.
     """
-    whole = moment.whole(moment.state)
+    whole = moment.whole(moment.believed)
     for schema, binding in instances(moment.problem, action):
         turned: list[tuple[GroundAtom, bool]] = []
         changed = whole
@@ -174,7 +174,7 @@ def _needed_only(
     moment: Moment, action: GroundAction, turned: list[tuple[GroundAtom, bool]]
 ) -> tuple[tuple[GroundAtom, bool], ...]:
     """Without the flips that the action could do without."""
-    whole = moment.whole(moment.state)
+    whole = moment.whole(moment.believed)
     kept = list(turned)
     for each in turned:
         rest = [other for other in kept if other != each]
@@ -220,7 +220,7 @@ def _broken_part(moment: Moment, state: State, action: GroundAction) -> Part | N
 def _tell_broken(draft: Draft, action: GroundAction) -> bool:
     """Say which part of the request the action could break, if it could."""
     moment = draft.moment
-    part = _broken_part(moment, moment.whole(moment.state), action)
+    part = _broken_part(moment, moment.whole(moment.believed), action)
     if part is None:
         return False
     want = wanted(wish_of(moment.demand_of(part).said, moment.lexicon), moment.lexicon)

@@ -9,6 +9,7 @@ from typing import assert_never
 from plainspoken.questions.alternative import tell_why_not
 from plainspoken.questions.chance import tell_cause, tell_what_if
 from plainspoken.questions.claim import Answer, Draft
+from plainspoken.questions.doubt import asks_how_known, tell_how_known
 from plainspoken.questions.fact import tell_state, tell_when
 from plainspoken.questions.future import tell_future
 from plainspoken.questions.kind import Kind
@@ -49,6 +50,10 @@ def answer_at(question: str | Question, moment: Moment, *, full: bool = False) -
 
 def _tell(draft: Draft, question: Question, *, full: bool) -> None:
     answered = True
+    # Where not every fact is known, what is known of one says where it comes from.
+    if draft.moment.facts is not None and asks_how_known(question):
+        tell_how_known(draft, question)
+        return
     if tell_source(draft, question) or tell_change(draft, question):
         return
     match question.kind:

@@ -62,6 +62,7 @@ class Answer:
 
     known:  False where the answer is that there is none
     denied: atoms that the words say are false, at these instants
+    wanted: atoms that would have to be looked at for a better answer
     """
 
     kind: Kind
@@ -71,6 +72,7 @@ class Answer:
     denied: tuple[Claim, ...] = ()
     actions: tuple[ActionClaim, ...] = ()
     known: bool = True
+    wanted: tuple[GroundAtom, ...] = ()
 
     def to_json(self, id: object, question: str, seconds: float) -> dict[str, Any]:
         """The line that `ask --batch` writes."""
@@ -84,6 +86,7 @@ class Answer:
             "denied": [claim.to_json() for claim in self.denied],
             "actions": [claim.to_json() for claim in self.actions],
             "known": self.known,
+            "wanted": list(self.wanted),
             "seconds": seconds,
         }
 
@@ -99,6 +102,7 @@ class Draft:
     actions: set[ActionClaim] = field(default_factory=set)
     evidence: set[Evidence] = field(default_factory=set)
     known: bool = True
+    wanted: set[GroundAtom] = field(default_factory=set)
 
     def say(self, text: str) -> None:
         """Add a sentence."""
@@ -108,7 +112,7 @@ class Draft:
     def now(self, atoms: Iterable[GroundAtom]) -> None:
         """Claim what is true now, since when it is; deny what is not."""
         moment = self.moment
-        atoms = list(atoms)
+        atoms = [atom for atom in atoms if not moment.is_unsure(atom)]
         moment.look_back(atoms)
         for atom in atoms:
             since = moment.since(atom)
@@ -126,9 +130,23 @@ class Draft:
         index = bisect_right(runs, at, key=itemgetter(0)) - 1
         if index >= 0 and at <= runs[index][1]:
             start, end = runs[index]
+            if self.moment.is_unsure(atom):
+                end = min(end, self._last_seen(atom))
+                if end < start:
+                    return
+                self.claims.add(Claim(atom, start, end, "was"))
+                self.evidence.add(self.moment.steps[start])
+                return
             certainty: Certainty = "is" if end == self.moment.now else "was"
             self.claims.add(Claim(atom, start, end, certainty))
             self.evidence.add(self.moment.steps[start])
+
+    def _last_seen(self, atom: GroundAtom) -> Instant:
+        """The instant at which a stale fact was seen last; before s0 where it never was."""
+        known = self.moment.known(atom)
+        if not known.is_stale:
+            return -1
+        return bisect_right(self.moment.steps, known.step) - 1
 
     def did(self, happening: Happening, *, changes: bool = True) -> None:
         """Claim that an action was done, and what it changed."""
@@ -163,6 +181,7 @@ class Draft:
             tuple(_merged(self.denied)),
             tuple(sorted(self.actions, key=lambda claim: (claim.at, claim))),
             self.known,
+            tuple(sorted(self.wanted)),
         )
 
     def node(self, id: NodeId) -> None:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import ActionClaim, Answer
+from plainspoken.questions.doubt import asks_how_known
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
@@ -66,6 +67,8 @@ def follow_up(question: Question, before: Turn, lexicon: Lexicon) -> Question:
     spoken = _spoken_of(before)
     if bare and (_WHY.match(plain) or _WHY_THAT.match(plain)):
         return _why(question, before, spoken, lexicon)
+    if not question.referents.objects and asks_how_known(question):
+        return _how_known(question, before)
     if bare and _NEXT.match(plain) and spoken is not None and spoken.certainty != "was":
         about = _about(spoken, question.referents, lexicon)
         return replace(question, kind=Kind.FUTURE, span=Span.AFTER, referents=about)
@@ -131,6 +134,17 @@ def _why(
         return question
     about = _about(spoken, question.referents, lexicon)
     return replace(question, kind=Kind.WHY_ACTION, referents=about)
+
+
+def _how_known(question: Question, before: Turn) -> Question:
+    """`How do you know?`: of the fact that was asked about, or that was told first."""
+    about = before.question.referents
+    told = (*before.answer.claims, *before.answer.denied)
+    atoms = about.atoms[:1] if about.objects else tuple(claim.fluent for claim in told[:1])
+    if not atoms:
+        return question
+    objects = tuple(atoms[0].split()[1:])
+    return replace(question, referents=replace(about, objects=objects, atoms=atoms))
 
 
 def _when(

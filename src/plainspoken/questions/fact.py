@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 
 from plainspoken.questions.claim import Draft
+from plainspoken.questions.doubt import as_heard, doubted, tell_doubt, tell_doubts
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import counted, listed, number_word, plural
 from plainspoken.questions.narration import MOST_NAMED, ago, facts_together, named
@@ -69,8 +70,9 @@ def age(draft: Draft, atom: GroundAtom) -> str:
     moment = draft.moment
     since = moment.since(atom)
     draft.evidence.add(moment.steps[since])
-    if since == 0:
-        return " from the start"
+    heard = as_heard(moment, atom)
+    if heard or since == 0:
+        return heard or " from the start"
     event = _event_at(moment, moment.steps[since])
     when = ago(moment.now - since)
     match event:
@@ -93,6 +95,9 @@ def _event_at(moment: Moment, step: int) -> object:
 def _tell_whether(draft: Draft, atoms: Sequence[GroundAtom]) -> None:
     moment = draft.moment
     for atom in atoms:
+        if moment.is_unsure(atom):
+            tell_doubt(draft, atom)
+            continue
         true = atom in moment.state or atom in moment.static
         draft.now([atom])
         clause = moment.lexicon.clause(atom)
@@ -135,7 +140,8 @@ def _tell_where(draft: Draft, question: Question, plain: str) -> bool:
 
 def _placed(moment: Moment, name: str) -> bool:
     """Whether anything is known of a thing that could answer where it is."""
-    return any(name in atom.split()[1:] for atom in moment.state | moment.static)
+    known = moment.state | moment.static | moment.unsure
+    return any(name in atom.split()[1:] for atom in known)
 
 
 def _say_place(draft: Draft, name: str, *, missing: bool = False) -> None:
@@ -155,6 +161,9 @@ def _say_place(draft: Draft, name: str, *, missing: bool = False) -> None:
             draft.sentences[-1] = draft.sentences[-1].rstrip(".") + (
                 f", {lexicon.deed(moment.started.action).doing}."
             )
+    elif missing and (maybe := _possible_places(moment, name)):
+        tell_doubts(draft, maybe)
+        draft.known = False
     elif missing:
         about = [a for a in sorted(moment.fluents) if name in a.split()[1:]]
         draft.now(about)
@@ -164,6 +173,12 @@ def _say_place(draft: Draft, name: str, *, missing: bool = False) -> None:
             + (f"; what I know is that {said_all}" if said_all else "")
         )
         draft.known = bool(about)
+
+
+def _possible_places(moment: Moment, name: str) -> list[GroundAtom]:
+    """The facts of where a thing is of which it is not known whether they are so."""
+    about = [atom for atom in sorted(moment.unsure) if atom.split()[1:2] == [name]]
+    return [atom for atom in about if moment.lexicon.place_clause(atom)]
 
 
 def _leaves(moment: Moment) -> bool:
@@ -191,8 +206,13 @@ def _tell_list(draft: Draft, question: Question, plain: str) -> None:
             if asked.kinds
             else moment.lexicon.type_words(candidates[0] if candidates else "")
         )
+        doubts = doubted(moment, predicate, column, candidates)
+        unsure = {atom.split()[column + 1] for atom in doubts}
         if negative:
-            _say_negative(draft, predicate, [c for c in candidates if c not in true], kind)
+            false = [c for c in candidates if c not in true and c not in unsure]
+            if false or not doubts:
+                _say_negative(draft, predicate, false, kind)
+            tell_doubts(draft, doubts)
             return
         for atom in atoms:
             if atom in moment.state:
@@ -200,7 +220,11 @@ def _tell_list(draft: Draft, question: Question, plain: str) -> None:
             else:
                 draft.was(atom, moment.runs[atom][-1][0])
         _say_list(draft, atoms, question)
-        if not atoms:
+        if doubts:
+            if not atoms:
+                draft.say("None that I know of" if question.form else "Not that I know of")
+            tell_doubts(draft, doubts)
+        elif not atoms:
             _say_none(
                 draft, _sample(question, predicate, column, candidates, moment), kind, question
             )
@@ -296,7 +320,9 @@ def _say_none(
     atom, name = sample
     clause = lexicon.clause(atom)
     words = lexicon.object_words(name)
-    text = clause.said().replace(words, what or f"no {kind}", 1)
+    said = clause.said()
+    text = said.replace(words, what or f"no {kind}", 1) if words in said else ""
+    text = text or clause.said(negative=True)
     number = "None: " if question.form == "how many" else ""
     draft.say(f"{'No, ' if question.yes_no else number}{text}")
 
@@ -338,6 +364,7 @@ def _tell_about(draft: Draft, names: Sequence[str]) -> None:
     said = listed([each.text for each in facts_together(moment.lexicon, about)])
     words = named(moment.lexicon, list(names))
     draft.say(f"What I know: {said}" if said else f"I know nothing about {words} that could change")
+    tell_doubts(draft, [atom for atom in moment.unsure if set(names) & set(atom.split()[1:])])
 
 
 def _tell_kind(draft: Draft, question: Question) -> None:
@@ -372,7 +399,9 @@ def tell_when(draft: Draft, question: Question) -> None:
         atom = asked.atoms[0]
         runs = moment.runs.get(atom)
         clause = moment.lexicon.clause(atom)
-        if runs is None:
+        if moment.is_unsure(atom):
+            tell_doubt(draft, atom)
+        elif runs is None:
             draft.now([atom])
             draft.say(clause.never())
         elif atom in moment.state:

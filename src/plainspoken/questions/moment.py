@@ -8,11 +8,14 @@ from __future__ import annotations
 import json
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
+from datetime import UTC, datetime
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 from plainspoken.automata.verdict import Part
 from plainspoken.errors import PlainspokenError
+from plainspoken.knowledge.facts import Facts, Knowledge, facts_after
+from plainspoken.mission.lookout import Lookout
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode, policy_from_json
 from plainspoken.questions.demand import Demand, demands_of
 from plainspoken.questions.identity import ById
@@ -38,11 +41,13 @@ from plainspoken.world.event import (
     Resumed,
     RobotFound,
     RobotLost,
+    Stated,
     Step,
     VerdictReached,
 )
 from plainspoken.world.landmark import Landmarks, landmarks_from_json
 from plainspoken.world.pddl import parse_domain, parse_problem
+from plainspoken.world.sense import Senses
 
 Run = tuple[Instant, Instant]
 """From and to, both included."""
@@ -77,11 +82,15 @@ class Moment:
     actions: what led to each instant, None where nothing was done
     steps:   the entry that each instant was observed in
     started: the action in flight that was begun first, None when nothing is
+    asked_at: the time by which facts are fresh or stale
     """
 
-    def __init__(self, entries: Sequence[Entry], at: Step | None = None) -> None:
+    def __init__(
+        self, entries: Sequence[Entry], at: Step | None = None, now: datetime | None = None
+    ) -> None:
         """Read a log up to and including a step.
 
+        now: when it is asked, with a time zone; None for the time of that step
         raises PlainspokenError: when the log does not begin with an accepted mission
         """
         last = len(entries) if at is None else bisect_right(entries, at, key=_step)
@@ -92,6 +101,7 @@ class Moment:
                 hint="give the whole log, from its first line",
             )
         self.mission: MissionAccepted = self.entries[0].event
+        self.asked_at = now or _time_of(self.entries[-1])
         self.states: list[State] = [self.mission.state]
         self.actions: list[GroundAction | None] = [None]
         self.steps: list[Step] = [self.entries[0].step]
@@ -203,8 +213,56 @@ class Moment:
         return len(self.states) - 1
 
     @property
-    def state(self) -> State:
+    def believed(self) -> State:
+        """The state that the mission goes by, with what is only assumed in it."""
         return self.states[-1]
+
+    @cached_property
+    def state(self) -> State:
+        """What is known to be true now."""
+        return self.states[-1] - self.unsure if self.unsure else self.states[-1]
+
+    @cached_property
+    def facts(self) -> Facts | None:
+        """What is known, where anything may not be; None where every fact is known."""
+        if not self.mission.unknown and not Senses.of(self.mission):
+            return None
+        return facts_after(self.entries)
+
+    @cached_property
+    def unsure(self) -> frozenset[GroundAtom]:
+        """The atoms of which nobody knows now whether they are true."""
+        if self.facts is None:
+            return frozenset()
+        known = self.facts.all_known(self.asked_at)
+        return frozenset(each.fact.atom for each in known if each.holds is None)
+
+    def is_unsure(self, atom: GroundAtom) -> bool:
+        return self.facts is not None and self.known(atom).holds is None
+
+    def known(self, atom: GroundAtom) -> Knowledge:
+        """What can be said of an atom now, and where that comes from."""
+        return (self.facts or self._all_facts).known(atom, self.asked_at)
+
+    @cached_property
+    def _all_facts(self) -> Facts:
+        return facts_after(self.entries)
+
+    @cached_property
+    def _known_from(self) -> dict[GroundAtom, Instant]:
+        """The instants from which what was unknown at first is known; the last but one is never."""
+        if not self.mission.unknown:
+            return {}
+        found = dict.fromkeys(self.mission.unknown, self.now + 1)
+        world, lookout = self.mission.state, Lookout.of(self.mission, self.problem)
+        for entry in self.entries[1:]:
+            after = lookout.after(entry.event, world, self.static, self.problem)
+            for atom in lookout.unknown - after.unknown:
+                found[atom] = entry.instant
+            lookout = after
+            if isinstance(entry.event, Stated):
+                world = entry.event.state
+        return found
 
     @cached_property
     def static(self) -> frozenset[GroundAtom]:
@@ -217,7 +275,9 @@ class Moment:
 
     def changes(self, atom: GroundAtom) -> bool:
         """Whether an atom could ever become true or false; the others go without saying."""
-        return atom.split(" ", 1)[0] in self.problem.changing_predicates and atom not in self.static
+        predicate = atom.split(" ", 1)[0]
+        changes = predicate in self.problem.changing_predicates or atom in self.mission.unknown
+        return changes and atom not in self.static
 
     def whole(self, state: State) -> State:
         """A state of the log or of the policy with the atoms that never change."""
@@ -250,7 +310,8 @@ class Moment:
                     self._since[atom] = index
                     waiting.discard(atom)
             index -= 1
-        self._since.update(dict.fromkeys(waiting, 0))
+        for atom in waiting:
+            self._since[atom] = min(self._known_from.get(atom, 0), self.now)
 
     @cached_property
     def runs(self) -> dict[GroundAtom, list[Run]]:
@@ -268,6 +329,10 @@ class Moment:
                 before = state
         for atom, since in start.items():
             found.setdefault(atom, []).append((since, self.now))
+        for atom, first in self._known_from.items():
+            clipped = [(max(a, first), b) for a, b in found.pop(atom, ()) if b >= first]
+            if clipped:
+                found[atom] = clipped
         return found
 
     # -- the plan ------------------------------------------------------------------------------
@@ -297,7 +362,7 @@ class Moment:
         if self.policy is None or self.node_id is None:
             return None
         node = self.policy.by_id.get(self.node_id)
-        if node is None or node.state != self.state - self.policy.static - self.static:
+        if node is None or node.state != self.believed - self.policy.static - self.static:
             return None
         return node
 
@@ -351,6 +416,15 @@ def _policy(key: ById[Mapping[str, Any]]) -> Policy:
 
 def _step(entry: Entry) -> Step:
     return entry.step
+
+
+def _time_of(entry: Entry) -> datetime:
+    """When an entry was written; a log that no clock dates is of the beginning of time."""
+    try:
+        time = datetime.fromisoformat(entry.time)
+    except ValueError:
+        return datetime.min.replace(tzinfo=UTC)
+    return time if time.tzinfo is not None else time.replace(tzinfo=UTC)
 
 
 def lexicon_of(mission: MissionAccepted) -> Lexicon:

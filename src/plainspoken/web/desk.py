@@ -22,6 +22,8 @@ from plainspoken.mission.executive import queued
 from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, MissionId, mission_from
 from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked, ResumeAsked, Told
+from plainspoken.mission.simulator import Simulator
+from plainspoken.mission.veil import VeiledRobot
 from plainspoken.pipeline import (
     Request,
     Site,
@@ -113,7 +115,10 @@ class Desk:
 
         raises OvertakenError: when there is a mission of that name
         """
-        accepted = accepted_as(self._site(place), request)
+        site = self._site(place)
+        if "robots" not in request.robot:
+            request = request.knowing(VeiledRobot(Simulator(site.problem), site.problem))
+        accepted = accepted_as(site, request)
         time = self._now().isoformat(timespec="milliseconds")
         self.store.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
         self._tell()
@@ -177,7 +182,7 @@ class Desk:
         full: bool = False,
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
-        moment = Moment(self._entries(mission), at)
+        moment = Moment(self._entries(mission), at, utc_now() if at is None else None)
         return (dialogue or Dialogue()).ask(text, moment, full=full)
 
     def say(
@@ -187,7 +192,9 @@ class Desk:
 
         by: who says it
         """
-        said = (conversation or Conversation()).say(text, Moment(self._entries(mission)))
+        said = (conversation or Conversation()).say(
+            text, Moment(self._entries(mission), now=utc_now())
+        )
         if said.agreed is not None:
             self._ask_of(mission, message_of(said.agreed, by))
         return said

@@ -13,7 +13,10 @@ from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import advance
 from plainspoken.mission.mailbox import Asked, to_message
 from plainspoken.mission.mission import Mission, mission_from
+from plainspoken.mission.observation import LookAsked
 from plainspoken.work.shift import TICK, Shift, standing_of
+from plainspoken.world.domain import GroundAtom
+from plainspoken.world.event import ObservationMade
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,42 @@ def ask_of(
         all(message.number != number for message in store.unanswered(mission)),
         None if place is None else place.worker,
     )
+
+
+def look(
+    store: Store,
+    mission: MissionId,
+    atoms: frozenset[GroundAtom],
+    by: str,
+    robots: Iterable[RobotName],
+    *,
+    patience: Seconds = 10.0,
+    sleep: Callable[[Seconds], None] = time.sleep,
+) -> bool:
+    """Have a mission's robot look at facts; whether all of them were looked at in time.
+
+    False as well where nobody carries missions out who could look. What was asked for stays
+    asked for: whoever takes the mission up looks.
+    """
+    place = store.place(mission)
+    if place is None or not (place.worker or store.workers()):
+        return False
+    before = len(store.entries(mission))
+    ask_of(store, mission, LookAsked(by, atoms), robots, patience=min(patience, 2.0), sleep=sleep)
+    until = time.monotonic() + patience
+    while True:
+        events = [entry.event for entry in store.entries(mission, before)]
+        seen = {
+            each["atom"]
+            for event in events
+            if isinstance(event, ObservationMade)
+            for each in event.sensed
+        }
+        if atoms <= seen:
+            return True
+        if time.monotonic() >= until:
+            return False
+        sleep(TICK)
 
 
 def _settled(shift: Shift, mission: MissionId) -> bool:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 
 from plainspoken.mission.mission import GoalId
 from plainspoken.mission.robot import GoalStatus, Robot, Seconds, UnderWay
+from plainspoken.mission.sensing import LookId, Senser, Telling
 from plainspoken.work.shift import TICK, Held
-from plainspoken.world.domain import GroundAction, State
+from plainspoken.world.domain import GroundAction, GroundAtom, State
+from plainspoken.world.sense import Sense
 
 
 class FencedRobot:
@@ -49,3 +52,25 @@ class FencedRobot:
 
     def state(self) -> State:
         return self._robot.state()
+
+    @property
+    def senses(self) -> Sequence[Sense]:
+        return self._robot.senses if isinstance(self._robot, Senser) else ()
+
+    def unknown_at_first(self) -> State:
+        return self._robot.unknown_at_first() if isinstance(self._robot, Senser) else frozenset()
+
+    def sense(
+        self, look: LookId, atoms: Sequence[GroundAtom], timeout: Seconds
+    ) -> tuple[Telling, ...] | None:
+        """What is told of facts; nothing new while it is in doubt whose the mission is."""
+        if self._held.is_in_doubt:
+            time.sleep(min(timeout, TICK))
+            return None
+        if not isinstance(self._robot, Senser):
+            return tuple(Telling(atom, None, "nobody") for atom in atoms)
+        return self._robot.sense(look, atoms, timeout)
+
+    def dismiss(self, look: LookId) -> None:
+        if isinstance(self._robot, Senser):
+            self._robot.dismiss(look)

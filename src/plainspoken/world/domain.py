@@ -160,6 +160,9 @@ class Problem:
     initial: the ground atoms true at s0
     goal:    the problem's own `:goal`
     humps:   names written with capitals inside, those of the domain included
+    unknown: ground atoms of which nobody knows at s0 whether they are true; `initial` has those
+             that are assumed to be
+    oneofs:  groups of unknown atoms, exactly one of each is true
     """
 
     name: str
@@ -169,6 +172,8 @@ class Problem:
     goal: Condition
     source: str = field(default="", compare=False)
     humps: Mapping[str, str] = field(default_factory=dict, compare=False)
+    unknown: State = frozenset()
+    oneofs: tuple[tuple[GroundAtom, ...], ...] = ()
 
     @cached_property
     def _objects_by_type(self) -> dict[str, tuple[str, ...]]:

@@ -31,7 +31,9 @@ class MissionAccepted:
     sentence:  what the person said, None where the goal was given as a formula
     english:   the formula said back
     domain, problem: the PDDL texts; landmarks: the landmarks document
-    robot: which robot and how it was set: {"name": "simulator", "seed": 7, "steering": [...]}
+    robot: which robot and how it was set: {"name": "simulator", "seed": 7, "steering": [...]};
+           under "senses" how facts come to be known (`world.sense`)
+    unknown: atoms of which nobody knows at s0; `state` has those that are assumed to be true
     """
 
     kind: ClassVar[str] = "mission_accepted"
@@ -45,6 +47,7 @@ class MissionAccepted:
     static: tuple[GroundAtom, ...]
     state: State
     robot: Mapping[str, Any] = field(default_factory=dict)
+    unknown: tuple[GroundAtom, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,18 +107,37 @@ class ActionFailed:
 
 @dataclass(frozen=True, slots=True)
 class ObservationMade:
-    """Something was sensed outside an action; state is what is known now."""
+    """Something was sensed outside an action; state is what is known now.
+
+    sensed: where single facts were asked for, what each service told of each:
+            [{"atom": ..., "holds": true, false or null, "by": service, "time": as it says}, ...];
+            null is that it could not tell, "why" says why
+    """
 
     kind: ClassVar[str] = "observation_made"
     source: str
     added: tuple[GroundAtom, ...]
     deleted: tuple[GroundAtom, ...]
     state: State
+    sensed: tuple[Mapping[str, Any], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class LookRequested:
+    """Somebody wants to know of these facts; what is sensed follows."""
+
+    kind: ClassVar[str] = "look_requested"
+    by: str
+    atoms: tuple[GroundAtom, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class ReportReceived:
-    """A person said what they did or saw."""
+    """A person said what they did or saw.
+
+    told: what they said of each fact, [{"atom": ..., "holds": true or false}, ...], also of those
+          that were believed to be so already
+    """
 
     kind: ClassVar[str] = "report_received"
     reporter: str
@@ -123,6 +145,7 @@ class ReportReceived:
     added: tuple[GroundAtom, ...]
     deleted: tuple[GroundAtom, ...]
     state: State
+    told: tuple[Mapping[str, Any], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -306,6 +329,7 @@ Event = (
     | ActionFinished
     | ActionFailed
     | ObservationMade
+    | LookRequested
     | ReportReceived
     | DeviationNoticed
     | VerdictReached
@@ -336,6 +360,7 @@ KINDS: Mapping[str, type[Event]] = {
         ActionFinished,
         ActionFailed,
         ObservationMade,
+        LookRequested,
         ReportReceived,
         DeviationNoticed,
         VerdictReached,

@@ -6,6 +6,7 @@ or action) and, if wanted, further names.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -33,12 +34,14 @@ class Landmark:
 
     description: as a person says it: "line 1", "the box is full", "to harvest a grape"
     names:       further ways to say it
+    lasts:       seconds for which it is known after it was seen; None for good
     """
 
     id: SymbolId
     description: str
     type: LandmarkType
     names: tuple[str, ...] = ()
+    lasts: float | None = None
 
     @property
     def persists(self) -> bool:
@@ -93,6 +96,7 @@ def landmarks_to_json(landmarks: Landmarks) -> dict[str, Any]:
             "description": one.description,
             "type": str(one.type),
             **({"names": list(one.names)} if one.names else {}),
+            **({"lasts": one.lasts} if one.lasts is not None else {}),
         }
         for one in landmarks.values()
     }
@@ -120,4 +124,24 @@ def _landmark(id: str, entry: object, path: str | Path) -> Landmark:
     names = entry.get("names", [])
     if not isinstance(names, list) or not all(isinstance(n, str) and n.strip() for n in names):
         raise InputFileError("expected a list of texts", path, field=f"{id}.names")
-    return Landmark(id, " ".join(description.split()), type, tuple(names))
+    return Landmark(
+        id, " ".join(description.split()), type, tuple(names), _lasts(id, entry, type, path)
+    )
+
+
+def _lasts(id: str, entry: Mapping[str, Any], type: LandmarkType, path: str | Path) -> float | None:
+    lasts = entry.get("lasts")
+    if lasts is None:
+        return None
+    if isinstance(lasts, bool) or not isinstance(lasts, int | float) or not 0 < lasts < math.inf:
+        raise InputFileError(
+            "expected a number of seconds greater than 0", path, field=f"{id}.lasts"
+        )
+    if type is LandmarkType.ACTION:
+        raise InputFileError(
+            "an action is over at once: it cannot last",
+            path,
+            field=f"{id}.lasts",
+            hint="`lasts` says how long a fact is known after it was seen",
+        )
+    return float(lasts)

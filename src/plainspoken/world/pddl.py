@@ -11,7 +11,16 @@ import logging
 from collections.abc import Mapping
 from pathlib import Path
 
-from plainspoken.world.domain import AllOf, Condition, Domain, Parameter, Problem, ground
+from plainspoken.world.domain import (
+    AllOf,
+    Condition,
+    Domain,
+    GroundAtom,
+    Parameter,
+    Problem,
+    State,
+    ground,
+)
 from plainspoken.world.expression import SUPPORTED_HINT, UNSUPPORTED, Expression, PddlFile
 from plainspoken.world.schema import SchemaReader
 
@@ -105,23 +114,55 @@ def _problem(file: PddlFile, domain: Domain) -> Problem:
         if len(by_name[":goal"]) > 2:
             file.expected("one condition as the goal", by_name[":goal"][2], by_name[":goal"])
         goal = reader.condition(by_name[":goal"][1], by_name[":goal"])
-    initial = _initial(file, by_name[":init"], reader)
+    initial, unknown, oneofs = _initial(file, by_name[":init"], reader)
     humps = {**file.humps, **domain.humps}
-    return Problem(name, domain, objects, initial, goal, str(file.path), humps)
+    return Problem(
+        name, domain, objects, initial, goal, str(file.path), humps, unknown=unknown, oneofs=oneofs
+    )
 
 
-def _initial(file: PddlFile, section: Expression, reader: SchemaReader) -> frozenset[str]:
-    true: set[str] = set()
+def _initial(
+    file: PddlFile, section: Expression, reader: SchemaReader
+) -> tuple[State, State, tuple[tuple[GroundAtom, ...], ...]]:
+    """What is true at first, what is not known then, and groups of which one is true."""
+    true: set[GroundAtom] = set()
+    unknown: set[GroundAtom] = set()
+    oneofs: list[tuple[GroundAtom, ...]] = []
     for literal in section[1:]:
         if not isinstance(literal, Expression) or not literal:
             file.expected("an atom such as (robot-at rob l0)", literal, section)
+        # A domain may have a predicate of that name: (unknown g1) is an atom of it.
+        if literal[0] in ("unknown", "oneof") and any(
+            isinstance(part, Expression) for part in literal[1:]
+        ):
+            group = _unknown(file, literal, reader)
+            unknown.update(group)
+            oneofs += [group] if literal[0] == "oneof" else []
+            continue
         if literal[0] == "=":
             file.fail("not supported: numeric fluents (=)", literal, SUPPORTED_HINT)
         if literal[0] == "not":
             reader.condition(literal, section)
             continue  # what is not said to be true is false anyway
         true.add(ground(reader.atom(literal), {}))
-    return frozenset(true)
+    # Somebody has to plan: of each group one atom is taken for true, the first unless :init says.
+    true.update(group[0] for group in oneofs if true.isdisjoint(group))
+    return frozenset(true), frozenset(unknown), tuple(oneofs)
+
+
+def _unknown(file: PddlFile, entry: Expression, reader: SchemaReader) -> tuple[GroundAtom, ...]:
+    """The atoms of `(unknown (full b))` or of `(oneof (at k r1) (at k r2))`."""
+    atoms = []
+    for part in entry[1:]:
+        if not isinstance(part, Expression) or not part or part[0] in ("not", "and", "or"):
+            file.expected("an atom such as (full b)", part, entry)
+        atoms.append(ground(reader.atom(part), {}))
+    least = 2 if entry[0] == "oneof" else 1
+    if len(set(atoms)) < least or (least == 1 and len(atoms) > 1):
+        file.expected(
+            "two atoms or more, of which one is true" if least > 1 else "one atom", entry, entry
+        )
+    return tuple(dict.fromkeys(atoms))
 
 
 def _sections(file: PddlFile, kind: str, known: tuple[str, ...]) -> tuple[str, list[Expression]]:

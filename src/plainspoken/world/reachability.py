@@ -117,7 +117,7 @@ class _Search:
 def reachable(problem: Problem) -> dict[str, dict[Arguments, None]] | None:
     """The reachable atoms of each predicate, in a stable order; None where there are too many."""
     facts: Facts = {}
-    for atom in sorted(problem.initial):
+    for atom in sorted(problem.initial | problem.unknown):
         predicate, *arguments = atom.split()
         facts.setdefault(predicate, {})[tuple(arguments)] = None
     rules = [

@@ -134,6 +134,80 @@ def outcomes(problem: Problem, state: State, action: GroundAction) -> tuple[Chan
     )
 
 
+def settled_by(problem: Problem, state: State, action: GroundAction) -> frozenset[GroundAtom]:
+    """The atoms that are known once the action was done: each outcome adds or deletes them."""
+    found = list(_changed_atoms(problem, state, action))
+    return frozenset.intersection(*found) if found else frozenset()
+
+
+def touched_by(problem: Problem, state: State, action: GroundAction) -> frozenset[GroundAtom]:
+    """The atoms that some outcome of an action adds or deletes."""
+    return frozenset().union(*_changed_atoms(problem, state, action))
+
+
+def _changed_atoms(
+    problem: Problem, state: State, action: GroundAction
+) -> Iterator[frozenset[GroundAtom]]:
+    """What each outcome of an action adds or deletes."""
+    for schema, binding in instances(problem, action):
+        if satisfies(state, schema.precondition, problem, binding):
+            for added, deleted in _changes(schema.effect, state, problem, binding):
+                yield added | deleted
+
+
+def relevant_to(problem: Problem, action: GroundAction) -> frozenset[GroundAtom]:
+    """The atoms that decide whether an action can be done, and what it does."""
+    found: frozenset[GroundAtom] = frozenset()
+    for schema, binding in instances(problem, action):
+        found |= atoms_in(schema.precondition, problem, binding)
+        found |= _conditions(schema.effect, problem, binding)
+    return found
+
+
+def _conditions(effect: Effect, problem: Problem, binding: Binding) -> frozenset[GroundAtom]:
+    match effect:
+        case When(condition, part):
+            return atoms_in(condition, problem, binding) | _conditions(part, problem, binding)
+        case Together(parts) | OneOf(parts):
+            return frozenset().union(*(_conditions(part, problem, binding) for part in parts))
+        case ForEach(parameters, part):
+            return frozenset().union(
+                *(
+                    _conditions(part, problem, {**binding, **more})
+                    for more in problem.bindings(parameters)
+                )
+            )
+        case Add() | Delete():
+            return frozenset()
+        case _:
+            assert_never(effect)
+
+
+def atoms_in(
+    condition: Condition, problem: Problem, binding: Binding | None = None
+) -> frozenset[GroundAtom]:
+    """Every ground atom that a condition speaks of, its variables bound."""
+    bound = binding or {}
+    match condition:
+        case AtomCondition():
+            return frozenset({ground(condition, bound)})
+        case Equal():
+            return frozenset()
+        case NotCondition(part):
+            return atoms_in(part, problem, bound)
+        case AllOf(parts) | AnyOf(parts):
+            return frozenset().union(*(atoms_in(part, problem, bound) for part in parts))
+        case ForAll(parameters, part) | Exists(parameters, part):
+            return frozenset().union(
+                *(
+                    atoms_in(part, problem, {**bound, **more})
+                    for more in problem.bindings(parameters)
+                )
+            )
+        case _:
+            assert_never(condition)
+
+
 def applicable_actions(problem: Problem, state: State) -> Iterator[GroundAction]:
     """Every ground action whose precondition holds, in the order of the domain file.
 

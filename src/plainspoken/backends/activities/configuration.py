@@ -14,6 +14,7 @@ has every key.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -33,7 +34,15 @@ from plainspoken.backends.activities.reading import (
 from plainspoken.backends.activities.robot import ActivityRobot
 from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.knowledge.store import Store
-from plainspoken.mission.repertoire import Conduct, Offer, Outcome, Repertoire, Sensor
+from plainspoken.mission.repertoire import (
+    TRIES,
+    Ask,
+    Conduct,
+    Offer,
+    Outcome,
+    Repertoire,
+    Sensor,
+)
 from plainspoken.mission.robot import Unreachable
 from plainspoken.mission.service import Service
 from plainspoken.mission.template import Table
@@ -49,6 +58,8 @@ from plainspoken.world.domain import (
     When,
 )
 
+ASK_KEYS = ("call", "with", "when", "unless")
+FACT_KEYS = (*ASK_KEYS, "otherwise", "needed", "lasts", "tries", "at_first")
 
 @contextmanager
 def robot_from(
@@ -124,17 +135,19 @@ def _services(
             adapters[kind] = opened(kind, via or value, settings, around)
             stack.callback(adapters[kind].close)
         services[name] = adapters[kind].service(section)
-        offers[name] = _offer(section)
+        offers[name] = _offer(section, kind)
     return services, offers
 
 
-def _offer(section: Section) -> Offer:
+def _offer(section: Section, kind: str) -> Offer:
+    # People answer when they come to it.
+    limit = math.inf if kind == "human" else Offer().limit
     return Offer(
         succeeds=section.mapping("succeeds"),
         reason=section.text("reason"),
         progress=section.text("progress") or "{progress}",
         doing=section.text("doing") or "{doing}",
-        limit=section.positive("limit", Offer().limit),
+        limit=section.positive("limit", limit),
     )
 
 
@@ -214,15 +227,59 @@ class _Reader:
         given = self.file.get("facts")
         for atom, value in () if given is None else given.section():
             section = value.section()
-            section.only("call", "with", "when")
+            section.only(*FACT_KEYS)
             key = given.section().keys[atom] if given is not None else value
             parameters = self._sensed(key)
             scope = Scope(self.problem, parameters, objects)
             fact_of(key, scope)
-            service, fields = asked(section, self.services, scope)
-            when = section.need("when", "what the result is where the fact holds: {field: value}")
-            scope.check(when)
-            yield Sensor(atom.lower(), parameters, service, fields, expected(when))
+            ways = self._ways(section, scope)
+            needed = section.get("needed")
+            only_needed = needed is not None and needed.flag()
+            if not only_needed:
+                self._refuse_slow(section, ways)
+            lasts = section.positive("lasts", 0.0)
+            tries = section.get("tries")
+            yield Sensor(
+                atom.lower(),
+                parameters,
+                ways,
+                only_needed,
+                lasts or None,
+                TRIES if tries is None else tries.count(1),
+                section.text("at_first") is not None
+                and section.entries["at_first"].one_of(["unknown"]) == "unknown",
+            )
+
+    def _ways(self, section: Section, scope: Scope) -> tuple[Ask, ...]:
+        """Who is asked about a fact, in this order."""
+        ways = [self._way(section, scope)]
+        otherwise = section.get("otherwise")
+        for item in () if otherwise is None else otherwise.items():
+            item.section().only(*ASK_KEYS)
+            ways.append(self._way(item.section(), scope))
+        return tuple(ways)
+
+    def _way(self, section: Section, scope: Scope) -> Ask:
+        service, fields = asked(section, self.services, scope)
+        when = section.need("when", "what the result is where the fact holds: {field: value}")
+        unless = section.get("unless")
+        for each in (when, unless):
+            if each is not None:
+                scope.check(each)
+        return Ask(service, fields, expected(when), None if unless is None else expected(unless))
+
+    def _refuse_slow(self, section: Section, ways: tuple[Ask, ...]) -> None:
+        """What every look at the world asks has to answer at once, and be one service."""
+        for key in ("otherwise", "tries"):
+            if key in section:
+                raise section.keys[key].error(
+                    f"{key!r} is for facts that are looked at when needed", "say `needed: true`"
+                )
+        if math.isinf(self.offers[ways[0].service].limit):
+            raise section.entries["call"].error(
+                "a person cannot be asked with every look at the world",
+                "say `needed: true`: then they are asked when a decision or an answer needs it",
+            )
 
     def _sensed(self, atom: Value) -> tuple[Parameter, ...]:
         """The placeholders of an atom, each with the types that the predicate asks for."""

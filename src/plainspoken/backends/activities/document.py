@@ -124,6 +124,13 @@ class Value:
             raise self.wrong(float)
         return float(found)
 
+    def count(self, least: int) -> int:
+        """A whole number that is not less than this."""
+        found = self.plain()
+        if isinstance(found, bool) or not isinstance(found, int) or found < least:
+            raise self.error(f"expected a whole number, at least {least}, got {found!r}")
+        return found
+
     def flag(self) -> bool:
         found = self.plain()
         if not isinstance(found, bool):

@@ -128,9 +128,7 @@ class ActivityReader:
         section.only("retry", "times", "pause", "growth", "longest", "limit")
         part = self.read(section.entries["retry"])
         times = section.need("times", "how often in all: a whole number, at least 2")
-        if not isinstance(times.plain(), int) or times.number() < 2:
-            raise times.error(f"expected a whole number, at least 2, got {times.plain()!r}")
-        usual = Retry(part, int(times.number()))
+        usual = Retry(part, times.count(2))
         return Retry(
             part,
             usual.times,

@@ -10,18 +10,27 @@ import hashlib
 import json
 import time
 import uuid
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from plainspoken.backends.activities.journal import Journal
+from plainspoken.backends.activities.looking import Looking
 from plainspoken.backends.activities.tree import Stage, doing, planted, progress
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.activity import Literal
 from plainspoken.mission.mission import GoalId
-from plainspoken.mission.repertoire import Conduct, Repertoire, amended, arguments_of, landed
+from plainspoken.mission.repertoire import (
+    Conduct,
+    Outcome,
+    Repertoire,
+    amended,
+    arguments_of,
+    landed,
+    undecided,
+)
 from plainspoken.mission.robot import (
     Failed,
     GoalStatus,
@@ -31,9 +40,11 @@ from plainspoken.mission.robot import (
     Unheard,
     Unreachable,
 )
+from plainspoken.mission.sensing import LookId, Telling
 from plainspoken.mission.service import CallStatus, Done, Fields, Going, NotDone, Service
 from plainspoken.mission.template import filled, meets
 from plainspoken.world.domain import GroundAction, GroundAtom, Problem, State
+from plainspoken.world.sense import Sense, atoms_of
 
 POLL: Seconds = 0.05
 """How often a call under way is asked about."""
@@ -71,6 +82,15 @@ class ActivityRobot:
         self._sleep = sleep
         self._goals: dict[GoalId, _Goal] = {}
         self._missing: list[Service] = []
+        self._always = tuple(each for each in repertoire.sensors if not each.needed)
+        self._looking = Looking(
+            [each for each in repertoire.sensors if each.needed],
+            services,
+            repertoire.offers,
+            repertoire.objects,
+            clock=clock,
+            sleep=sleep,
+        )
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:
         """Begin an action; what it is stands in the journal before anything is called."""
@@ -111,6 +131,31 @@ class ActivityRobot:
     def believe(self, added: Iterable[GroundAtom] = (), deleted: Iterable[GroundAtom] = ()) -> None:
         """Take in what a person reports."""
         self._belief = (self._belief - frozenset(deleted)) | frozenset(added)
+
+    @property
+    def senses(self) -> Sequence[Sense]:
+        return tuple(sensor.sense for sensor in self._repertoire.sensors)
+
+    def unknown_at_first(self) -> State:
+        """The atoms of which the robots' file says that nobody knows them at first."""
+        return frozenset(
+            atom
+            for sensor in self._repertoire.sensors
+            if sensor.unknown
+            for atom in atoms_of(sensor.atom, self._problem)
+        )
+
+    def sense(
+        self, look: LookId, atoms: Sequence[GroundAtom], timeout: Seconds
+    ) -> tuple[Telling, ...] | None:
+        """What services and people tell of facts; what they tell is believed."""
+        told = self._looking.sense(look, atoms, timeout)
+        if told is not None:
+            self._belief = amended(self._belief, _literals(told))
+        return told
+
+    def dismiss(self, look: LookId) -> None:
+        self._looking.dismiss(look)
 
     def _known(self, goal_id: GoalId) -> _Goal | None:
         """A goal that this process or one before it has begun."""
@@ -177,21 +222,39 @@ class ActivityRobot:
             return UnderWay(progress(tree), doing(tree))
         if tree.status is Status.SUCCESS:
             result = {**stage.results, **stage.last}
-            conduct = self._conduct(goal.action)
+            outcomes = [
+                one.bound(stage.arguments, self._repertoire.objects)
+                for one in self._conduct(goal.action).outcomes
+            ]
+            told = self._told_of_outcome(goal_id, goal, outcomes, result)
+            if told is None:
+                return UnderWay(1.0, "looking at what came of it")
             goal.ended = landed(
                 self._problem,
                 self._belief,
                 goal.action,
-                outcomes=[
-                    one.bound(stage.arguments, self._repertoire.objects) for one in conduct.outcomes
-                ],
+                outcomes=outcomes,
                 result=result,
-                seen=self._seen(),
+                seen=(*self._seen(), *told),
             )
         else:
             goal.ended = Failed(stage.reason, amended(self._belief, self._seen()))
         self._belief = goal.ended.state
         return goal.ended
+
+    def _told_of_outcome(
+        self, goal_id: GoalId, goal: _Goal, outcomes: Sequence[Outcome], result: Fields
+    ) -> tuple[Literal, ...] | None:
+        """What tells outcomes apart that is only looked at when needed; None while it is asked."""
+        look = f"{goal_id}/outcome"
+        atoms = undecided(self._problem, self._belief, goal.action, outcomes, result)
+        needed = [each.sense for each in self._repertoire.sensors if each.needed]
+        wanted = sorted(atom for atom in atoms if any(sense.fits(atom) for sense in needed))
+        if goal.stage.stopping or not wanted:
+            self._looking.dismiss(look)
+            return ()
+        told = self._looking.sense(look, wanted, 0.0)
+        return None if told is None else _literals(told)
 
     def _end_what_was_given_up(self, stage: Stage) -> None:
         """Wait for calls that were told to end: two must not move one robot."""
@@ -221,13 +284,15 @@ class ActivityRobot:
             atoms = frozenset(map(str, filled("{" + field + "}", answer(service, {}))))
             seen += [Literal(atom) for atom in sorted(atoms)]
             seen += [Literal(atom, wanted=False) for atom in sorted(self._changing() - atoms)]
-        for sensor in self._repertoire.sensors:
+        for sensor in self._always:
+            (ask,) = sensor.ways
             for binding in self._problem.bindings(sensor.parameters):
                 values = {name.removeprefix("?"): value for name, value in binding.items()}
                 table = self._repertoire.objects
-                result = answer(sensor.service, filled(sensor.fields, values, table))
-                wanted = meets(result, filled(sensor.when, values, table))
-                seen.append(Literal(filled(sensor.atom, values), wanted))
+                result = answer(ask.service, filled(ask.fields, values, table))
+                holds = ask.told(result, values, table, self._repertoire.offers[ask.service])
+                if holds is not None:
+                    seen.append(Literal(filled(sensor.atom, values), holds))
         return tuple(seen)
 
     def _changing(self) -> State:
@@ -258,3 +323,8 @@ class ActivityRobot:
         yield service.status(call)
         while self._clock() < until:
             yield service.status(call)
+
+
+def _literals(told: Iterable[Telling]) -> tuple[Literal, ...]:
+    """The facts that were told, without those that nobody could tell."""
+    return tuple(Literal(each.atom, each.holds) for each in told if each.holds is not None)
