@@ -17,6 +17,7 @@ from tests.mission.store_room import FOLDER
 
 from plainspoken.backends.questions import Question, Questions
 from plainspoken.cli import plainspoken
+from plainspoken.knowledge.sqlite import SqliteDatabase
 
 T = TypeVar("T")
 PATIENCE = 100.0
@@ -29,7 +30,7 @@ class Room:
 
     def __init__(self, folder: Path) -> None:
         self.store = folder / "store.sqlite"
-        self.questions = Questions(self.store)
+        self.questions = Questions(SqliteDatabase(self.store))
         self.environment = {**os.environ, "PLAINSPOKEN_STORE": str(self.store)}
         self.begun: list[subprocess.Popen[str]] = []
 

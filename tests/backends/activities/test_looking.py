@@ -19,6 +19,7 @@ from plainspoken.backends.activities.looking import Looking
 from plainspoken.backends.human import HumanService
 from plainspoken.backends.questions import Questions
 from plainspoken.errors import InputFileError
+from plainspoken.knowledge.sqlite import SqliteDatabase
 from plainspoken.mission.repertoire import Ask, Offer, Sensor
 from plainspoken.mission.robot import Succeeded, Unreachable
 from plainspoken.mission.sensing import Telling
@@ -154,7 +155,7 @@ def test_what_nothing_can_be_asked_about_is_not_known() -> None:
 
 
 def test_a_person_is_asked_once_whichever_process_asks(tmp_path: Path) -> None:
-    questions = Questions(tmp_path / "store")
+    questions = Questions(SqliteDatabase(tmp_path / "store"))
     for _ in range(2):
         look, _ = looking({"person": HumanService(questions)}, PERSON)
         assert look.sense("m/look-1", ["full b1"], 0.0) is None
