@@ -250,10 +250,11 @@ def long_log(length: int) -> tuple[Entry, ...]:
     while len(log.entries) < length:
         if node.action is None:
             node = policy.node(policy.initial)
-        log.add(ActionStarted(str(node.action), node.id, f"goal-{log.instant}"))
+        goal = f"goal-{log.instant}"
+        log.add(ActionStarted(str(node.action), node.id, goal))
         after = policy.node(chance.choice(node.successors))
         log.instant += 1
-        log.add(ActionFinished(str(node.action), "", frozenset(set(after.state)), after.id))
+        log.add(ActionFinished(str(node.action), goal, frozenset(set(after.state)), after.id))
         node = after
     return tuple(log.entries)
 
