@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from plainspoken.cli.site import chosen_site, site_options
+from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.errors import PlainspokenError
 
+if TYPE_CHECKING:
+    from plainspoken.pipeline import Site
+    from plainspoken.web.desk import Desk
+
 GET_IT = "pip install 'plainspoken[web]'"
+EXAMPLES = ("vineyard", "kitchen", "warehouse")
+PACE = 0.6
+"""Real seconds for each second of a simulated robot: an action takes about two, to be watched."""
 
 
 @click.command()
@@ -18,6 +27,18 @@ GET_IT = "pip install 'plainspoken[web]'"
 @store_option
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen on.")
 @click.option("--port", default=8765, show_default=True, type=click.IntRange(0, 65535))
+@click.option("--layout", type=FILE, metavar="FILE", help="Where places lie on the map (JSON).")
+@click.option("--robots", type=FILE, metavar="FILE", help="Robots that are not simulated (YAML).")
+@click.option("--seed", default=0, show_default=True, help="Chances of the simulated robot.")
+@click.option("--steer", multiple=True, metavar="FACT", help="What its chances should bring about.")
+@click.option(
+    "--pace",
+    type=click.FloatRange(min=0),
+    default=PACE,
+    show_default=True,
+    help="Real seconds for each simulated one.",
+)
+@click.option("--demo", is_flag=True, help="Have a mission under way in the vineyard.")
 def serve(
     domain: Path | None,
     problem: Path | None,
@@ -25,23 +46,77 @@ def serve(
     store: str | None,
     host: str,
     port: int,
+    layout: Path | None,
+    robots: Path | None,
+    seed: int,
+    steer: tuple[str, ...],
+    pace: float,
+    *,
+    demo: bool,
 ) -> None:
-    """Open the page: say what should be done, watch it, ask about it."""
-    from functools import partial
+    """Open the page: say what should be done, confirm it, watch it, ask about it.
 
-    from plainspoken.cli.robots import person, robot_for
-    from plainspoken.web.desk import Desk
+    Without --domain and --problem, it knows the bundled vineyard, kitchen and warehouse.
 
+    \b
+    plainspoken serve --demo
+    plainspoken serve -d domain.pddl -p problem.pddl -l landmarks.json --robots robots.yaml
+    """
     try:
-        from plainspoken.web.server import Visitor, create_app, run
+        from plainspoken.web.server import create_app, run
     except ImportError as error:
         raise PlainspokenError(f"the page cannot be opened: {error}", hint=GET_IT) from error
-    site = chosen_site(domain, problem, landmarks)
+    from plainspoken.cli.robots import chosen_robot, robot_for
+    from plainspoken.cli.simulated import Settings
+    from plainspoken.pipeline import bundled
+    from plainspoken.web.desk import Desk
+    from plainspoken.web.page.layout import read_layout
+
+    names = EXAMPLES if domain is None and problem is None and landmarks is None else ()
+    sites = {name: _bundled(name) for name in names} or {
+        each.problem.name: each for each in [chosen_site(domain, problem, landmarks)]
+    }
+    first = next(iter(sites.values()))
+    layouts = {sites[n].problem.name: read_layout(f) for n in names
+               if (f := bundled(n) / "layout.json").exists()}  # fmt: skip
+    if layout is not None:
+        layouts[first.problem.name] = read_layout(layout)
+    chosen = chosen_robot(None, robots, Settings(seed, steer, pace=0.0 if robots else pace))
     with open_store(store) as kept:
-        desk = Desk({site.problem.name: site}, kept, partial(robot_for, kept.database.place))
+        desk = Desk(sites, kept, partial(robot_for, kept.database.place))
         try:
-            app = create_app(desk, lambda _: Visitor(person()))
-            click.echo(f"plainspoken: http://{host}:{port}", err=True)
+            app = create_app(desk, robot=chosen.to_json(), layouts=layouts)
+            if demo:
+                start_demo(desk, pace)
+            click.echo(f"plainspoken: open http://{host}:{port} in a browser", err=True)
             run(app, host=host, port=port)
         finally:
             desk.close()
+
+
+def _bundled(name: str) -> Site:
+    from plainspoken.pipeline import bundled, open_site
+
+    folder = bundled(name)
+    return open_site(folder / "domain.pddl", folder / "problem.pddl", folder / "landmarks.json")
+
+
+def start_demo(desk: Desk, pace: float) -> None:
+    """Have the demo's mission begin, paused, so that whoever opens the page sees all of it."""
+    from plainspoken.cli.demo import SENTENCE, STEERING
+    from plainspoken.cli.record import utc_now
+    from plainspoken.cli.simulated import Settings
+    from plainspoken.mission.mission import new_mission_id
+    from plainspoken.pipeline import Request
+    from plainspoken.planning.solver import Solved
+
+    extraction = desk.understand("vineyard", SENTENCE)
+    if extraction.formula is None:
+        raise PlainspokenError("the demo's own sentence was not understood")
+    ending = desk.plan("vineyard", extraction.formula)
+    if not isinstance(ending, Solved):
+        raise PlainspokenError("the demo's own mission has no policy")
+    robot = Settings(steering=STEERING, pace=pace).to_json()
+    request = Request(new_mission_id(utc_now), extraction.formula, SENTENCE, robot)
+    desk.start("vineyard", request, ending.policy)
+    desk.pause(request.mission, "the demo")

@@ -2,46 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import uvicorn
-from fastapi import FastAPI, Request
+from fastapi import FastAPI
 from nicegui import ui
 from starlette.types import ASGIApp
 
 from plainspoken.web.desk import Desk
-from plainspoken.web.page.pages import open_pages
+from plainspoken.web.page.frame import House
+from plainspoken.web.page.layout import Layout
+from plainspoken.web.page.live import Feeds
+from plainspoken.web.page.pages import VisitorOf, open_pages
 
 
 @dataclass(frozen=True, slots=True)
-class Visitor:
-    """Who looks at the page, and whether they may do more than look and ask."""
+class Anybody:
+    """Whoever sits at this machine."""
 
-    name: str
+    name: str = "operator"
     may_command: bool = True
 
 
-VisitorOf = Callable[[Request], Visitor]
+def create_app(
+    desk: Desk,
+    *,
+    robot: Mapping[str, Any] | None = None,
+    layouts: Mapping[str, Layout] | None = None,
+    visitor_of: VisitorOf | None = None,
+) -> FastAPI:
+    """The application; one in a process, since NiceGUI has one register of pages.
 
-
-@dataclass(frozen=True)
-class Setting:
-    """How the page is set.
-
-    robot:    the robot of missions that are started here, for their log
-    layouts:  by place, where things lie on its map, see docs/page.md
+    robot:      the robot of missions that are started here, for their log
+    layouts:    the maps, by the name of the planning problem
+    visitor_of: who sends a request, None where everybody may do everything
     """
-
-    robot: Mapping[str, Any] = field(default_factory=dict)
-    layouts: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-
-
-def create_app(desk: Desk, visitor_of: VisitorOf, setting: Setting | None = None) -> FastAPI:
-    """The application; one in a process, since NiceGUI has one page register."""
     app = FastAPI(title="plainspoken", docs_url=None, redoc_url=None)
-    open_pages(desk, visitor_of, setting or Setting())
+    house = House(desk, Feeds(desk, layouts or {}), dict(robot or {}))
+    open_pages(house, visitor_of or (lambda _: Anybody()))
     ui.run_with(app, title="plainspoken", dark=None, tailwind=False, show_welcome_message=False)
     return app
 

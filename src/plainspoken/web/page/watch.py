@@ -1,0 +1,183 @@
+"""The page of one mission: watch it, steer it, ask it, and look at how it was before."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from nicegui import run, ui
+
+from plainspoken.errors import PlainspokenError
+from plainspoken.mission.mission import Status
+from plainspoken.questions.dialogue import Dialogue
+from plainspoken.web.page import panels
+from plainspoken.web.page.drawing import legend
+from plainspoken.web.page.frame import House, Text, Visitor, button, confirmed, framed, tell
+from plainspoken.web.page.live import Feed
+from plainspoken.web.page.living import Living
+from plainspoken.web.page.speech import Said, bubbles
+from plainspoken.web.page.view import View
+from plainspoken.work.shift import utc_now
+from plainspoken.world.event import Step
+
+SLOWEST = 0.1
+"""Seconds between two pictures, at least: nobody sees more, and many may watch."""
+TABS = ("Map", "Talk", "Plan", "Events", "Known")
+
+
+class Watch:
+    """One mission in one browser."""
+
+    def __init__(self, house: House, visitor: Visitor, feed: Feed) -> None:
+        self.house, self.visitor, self.feed = house, visitor, feed
+        self.desk = house.desk
+        self.mission = feed.mission
+        self.at: Step | None = None
+        self.news = asyncio.Event()
+
+    # -- layout --------------------------------------------------------------------------------
+
+    def build(self, view: View) -> None:
+        """Lay the page out, and show a view."""
+        with framed(self.visitor, "mission") as self.main:
+            with ui.element("section").classes("head"):
+                self.title = Text("h1", view.title)
+                with ui.element("div").classes("row"):
+                    self.status = Living(tag="span")
+                    self.doing = Text("p", classes="doing").props('aria-live="polite"')
+                with ui.element("div").classes("row controls"):
+                    self._controls()
+            Living(panels.tabs(TABS)).classes("tablist")
+            with self._panel("map", "Map"):
+                self.map = Living()
+                Living(panels.legend(legend(view.drawing)))
+                self._slider()
+            with ui.element("div").classes("side"):
+                with self._panel("request", "What was asked for"):
+                    self.clauses = Living()
+                with self._panel("talk", "Talk"):
+                    self._talk()
+            with self._panel("plan", "Plan"):
+                self.plan = Living()
+            with self._panel("events", "Events"):
+                self.timeline = Living().classes("keeps-low scroll").on_pick(
+                    lambda step: self._look(int(step))
+                )
+            with self._panel("known", "Known"):
+                self.known = Living().classes("scroll")
+        self.show(view)
+
+    def _panel(self, name: str, title: str) -> ui.element:
+        found = ui.element("section").classes(f"card panel {name}").props(
+            f'id="{name}" aria-labelledby="{name}-title"'
+        )
+        with found:
+            Text("h2", title).props(f'id="{name}-title"')
+        return found
+
+    def _controls(self) -> None:
+        self.pause = button("Pause", self._command(self.desk.pause))
+        self.resume = button("Go on", self._command(self.desk.resume), "main")
+        self.cancel = button("Cancel …", self._cancel, "danger")
+
+    def _slider(self) -> None:
+        with ui.element("div").classes("row replay"):
+            self.slider = ui.element("input").props(
+                'type="range" min="0" aria-label="moment of the mission"'
+            )
+            self.slider.on(
+                "input", lambda event: self._look(int(event.args)), throttle=0.05,
+                js_handler="(event) => emit(event.target.value)",
+            )  # fmt: skip
+            self.live = button("Live", lambda: self._look(None), "chip")
+            self.moment = Text("span", classes="when")
+
+    def _talk(self) -> None:
+        self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
+        self.suggested = Living().on_pick(self._suggested)
+        with ui.element("div").classes("row ask"):
+            self.question = ui.input(label="Ask, or tell me something").props(
+                'outlined dense maxlength=1000 id="ask"'
+            )
+            self.question.on("keydown.enter.prevent", self._asked)
+            button("Ask", self._asked, "main")
+
+    # -- showing -------------------------------------------------------------------------------
+
+    def show(self, view: View) -> None:
+        """Bring everything up to date with a view."""
+        self.view = view
+        past = self.at is not None
+        self.main.classes(add="past" if past else "", remove="" if past else "past")
+        self.title.set_text(view.title)
+        self.status.show(panels.status(view.status))
+        self.doing.set_text(view.doing)
+        self.map.show(view.map)
+        self.clauses.show(panels.clauses(view.clauses))
+        self.timeline.show(panels.timeline(view.lines))
+        self.known.show(panels.known(view.known, utc_now()))
+        self.talk.show(bubbles(self.feed.conversation.turns, view.moment.problem))
+        self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
+        self.slider.props(f'max="{self.feed.last}"')
+        self.slider._props["value"] = str(view.step)
+        self.slider.update()
+        self.moment.set_text(f"step {view.step} of {self.feed.last}" if past else "live")
+        self.live.set_visibility(past)
+        may = self.visitor.may_command and not view.is_over
+        self.pause.set_visibility(may and view.status is not Status.PAUSED)
+        self.resume.set_visibility(may and view.status is Status.PAUSED)
+        self.cancel.set_visibility(may)
+
+    async def follow(self) -> None:
+        """Show what comes, for as long as there is somebody to see it."""
+        while True:
+            await self.news.wait()
+            self.news.clear()
+            self.show(await run.io_bound(self.feed.view, self.at))
+            await asyncio.sleep(SLOWEST)
+
+    def _look(self, at: Step | None) -> None:
+        self.at = None if at is None or at >= self.feed.last else at
+        self.news.set()
+
+    # -- commands ------------------------------------------------------------------------------
+
+    def _command(self, command: Callable[[str, str], None]) -> Callable[[], Awaitable[None]]:
+        async def pressed() -> None:
+            try:
+                await run.io_bound(command, self.mission, self.visitor.name)
+            except PlainspokenError as error:
+                tell(error)
+
+        return pressed
+
+    async def _cancel(self) -> None:
+        if await confirmed(
+            "Cancel this mission?",
+            f"“{self.view.title}” is given up for good. What was done stays done.",
+            "Yes, cancel it",
+            danger=True,
+        ):
+            await self._command(self.desk.cancel)()
+
+    # -- talk ----------------------------------------------------------------------------------
+
+    async def _suggested(self, index: str) -> None:
+        self.question.value = self.view.suggestions[int(index)]
+        await self._asked()
+
+    async def _asked(self) -> None:
+        text = (self.question.value or "").strip()
+        if not text:
+            return
+        self.question.value = ""
+        talk = self.feed.conversation
+        dialogue = talk.dialogues.get(self.visitor.name, Dialogue())
+        try:
+            answer, after = await run.io_bound(dialogue.ask, text, self.view.moment)
+        except PlainspokenError as error:
+            tell(error)
+            return
+        talk.dialogues[self.visitor.name] = after
+        talk.add(Said(self.visitor.name, text), Said("robot", answer.text, answer))
+        self.feed.tell()
