@@ -154,3 +154,21 @@ def tabs(names: Sequence[str]) -> Html:
         role="tablist",
         aria_label="parts of this page",
     )  # fmt: skip
+
+
+def graph_legend() -> Html:
+    """What the shapes of a plan mean."""
+    words = {
+        "past": "was done",
+        "present": "now",
+        "future": "may come",
+        "missed": "can come no more",
+        "stop": "done",
+        "fold": "several, opens",
+    }
+    return tag(
+        "ul",
+        *(tag("li", tag("span", class_=f"box {kind}", aria_hidden="true"), said)
+          for kind, said in words.items()),
+        class_="legend",
+    )  # fmt: skip

@@ -16,6 +16,8 @@ from plainspoken.knowledge.facts import Fact, Facts, facts_after
 from plainspoken.logic.english import say
 from plainspoken.logic.formula import conjunction
 from plainspoken.mission.mission import Status
+from plainspoken.planning.diagram import rules
+from plainspoken.planning.policy import Policy
 from plainspoken.questions.chronicle import Line, chronicle
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import sentence
@@ -119,6 +121,15 @@ class View:
             if isinstance(entry.event, ChangeRequested):
                 return entry.event
         return None
+
+    def rules(self, policy: Policy) -> str:
+        """What a policy does when, in words."""
+        lexicon = self.moment.lexicon
+        return rules(
+            policy,
+            action=lambda action: lexicon.deed(action).bare,
+            atom=lambda atom: lexicon.clause(atom).said(),
+        )
 
     @cached_property
     def facts(self) -> Facts:

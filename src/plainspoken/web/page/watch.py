@@ -3,18 +3,30 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 
 from nicegui import run, ui
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.mission import Status
+from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.web.page import panels
 from plainspoken.web.page.drawing import legend
-from plainspoken.web.page.frame import House, Text, Visitor, button, confirmed, framed, tell
+from plainspoken.web.page.frame import (
+    ASSETS,
+    House,
+    Text,
+    Visitor,
+    button,
+    confirmed,
+    framed,
+    tell,
+)
+from plainspoken.web.page.graph import PLENTY, graph_of, situation, walked
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
+from plainspoken.web.page.policy import PolicyGraph
 from plainspoken.web.page.speech import Said, bubbles
 from plainspoken.web.page.view import View
 from plainspoken.work.shift import utc_now
@@ -34,6 +46,10 @@ class Watch:
         self.mission = feed.mission
         self.at: Step | None = None
         self.news = asyncio.Event()
+        self.opened: frozenset[NodeId] = frozenset()
+        self.whole = False
+        self.folds: Mapping[str, frozenset[NodeId]] = {}
+        self.policy: Policy | None = None
 
     # -- layout --------------------------------------------------------------------------------
 
@@ -58,7 +74,7 @@ class Watch:
                 with self._panel("talk", "Talk"):
                     self._talk()
             with self._panel("plan", "Plan"):
-                self.plan = Living()
+                self._plan()
             with self._panel("events", "Events"):
                 self.timeline = Living().classes("keeps-low scroll").on_pick(
                     lambda step: self._look(int(step))
@@ -92,6 +108,53 @@ class Watch:
             self.live = button("Live", lambda: self._look(None), "chip")
             self.moment = Text("span", classes="when")
 
+    def _plan(self) -> None:
+        with ui.element("div").classes("row"):
+            search = ui.input(label="Find in the plan").props("outlined dense clearable")
+            search.on_value_change(lambda event: self.graph.find(event.value or ""))
+            button("Now", lambda: self.graph.here(), "chip")
+            button("Fit", lambda: self.graph.fit(), "chip")
+            self.fold = button("Show all", self._unfold, "chip")
+        self.graph = PolicyGraph(f"{ASSETS}/cytoscape/cytoscape.esm.min.mjs", self._situation)
+        Living(panels.graph_legend())
+        self.situation = Text("p", "Choose a box to see what it is about.", "note").props(
+            'aria-live="polite"'
+        )
+        with ui.element("details"):
+            Text("summary", "The plan in words")
+            self.rules = Text("pre", classes="rules").props('tabindex="0"')
+
+    def _unfold(self) -> None:
+        self.whole = not self.whole
+        self.opened = frozenset()
+        self.fold.set_text("Fold" if self.whole else "Show all")
+        self.news.set()
+
+    def _situation(self, picked: str) -> None:
+        """Tell what a box of the plan is about, or open one that holds several."""
+        policy, _, _ = walked(self.view.moment)
+        if policy is None:
+            return
+        if picked in self.folds:
+            self.opened |= {min(self.folds[picked])}
+            self.news.set()
+        elif picked.isdigit() and int(picked) in policy.by_id:
+            self.situation.set_text(situation(policy, int(picked), self.view.moment))
+
+    def _draw_plan(self, view: View) -> None:
+        policy, past, present = walked(view.moment)
+        if policy is None:
+            return
+        graph = graph_of(
+            policy, past, present, view.moment.lexicon, opened=self.opened, whole=self.whole
+        )
+        self.folds = graph.folds
+        self.graph.show(graph.to_json())
+        self.fold.set_visibility(len(policy.nodes) > PLENTY)
+        if policy is not self.policy:
+            self.policy = policy
+            self.rules.set_text(view.rules(policy))
+
     def _talk(self) -> None:
         self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
         self.suggested = Living().on_pick(self._suggested)
@@ -113,6 +176,7 @@ class Watch:
         self.status.show(panels.status(view.status))
         self.doing.set_text(view.doing)
         self.map.show(view.map)
+        self._draw_plan(view)
         self.clauses.show(panels.clauses(view.clauses))
         self.timeline.show(panels.timeline(view.lines))
         self.known.show(panels.known(view.known, utc_now()))
