@@ -137,9 +137,20 @@ class Desk:
 
     # -- before a mission ----------------------------------------------------------------------
 
+    def place(self, place: PlaceName) -> Site:
+        """A place that is known here.
+
+        raises UnknownPlaceError: when it is not
+        """
+        if place not in self.places:
+            raise UnknownPlaceError(
+                f"no place is called {place!r}", hint=f"there are {', '.join(self.places)}"
+            )
+        return self.places[place]
+
     def understand(self, place: PlaceName, text: str) -> Extraction:
         """What a sentence asks for, at a place."""
-        return understand(text, self._site(place))
+        return understand(text, self.place(place))
 
     def plan(
         self,
@@ -163,14 +174,14 @@ class Desk:
             if on_progress is not None:
                 on_progress(progress)
 
-        return find_policy(self._site(place).problem, goal, timeout=timeout, on_progress=heard)
+        return find_policy(self.place(place).problem, goal, timeout=timeout, on_progress=heard)
 
     def start(self, place: PlaceName, request: Request, policy: Policy) -> MissionId:
         """Have a mission carried out; it is in the log when this returns.
 
         raises OvertakenError: when there is a mission of that name
         """
-        accepted = accepted_as(self._site(place), request)
+        accepted = accepted_as(self.place(place), request)
         time = self._now().isoformat(timespec="milliseconds")
         self.store.begin(request.mission, time, queued(accepted, policy), robots_of(accepted))
         self._tell()
@@ -182,19 +193,34 @@ class Desk:
         """Every mission of the log, oldest first."""
         return self.store.missions()
 
-    def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
-        return self.store.entries(mission, since)
+    def entries(
+        self, mission: MissionId, since: Step = 0, most: int | None = None
+    ) -> tuple[Entry, ...]:
+        """The entries from a step on, so many at most; none where there is no such mission."""
+        return self.store.entries(mission, since, most)
+
+    def log(self, mission: MissionId) -> tuple[Entry, ...]:
+        """All entries of a mission.
+
+        raises UnknownMissionError: when there is no such mission
+        """
+        entries = self.store.entries(mission)
+        if not entries:
+            raise UnknownMissionError(
+                f"no mission {mission!r}", hint="the list of missions has their names"
+            )
+        return entries
 
     def mission(self, mission: MissionId) -> Mission:
         """Where a mission stands.
 
         raises PlainspokenError: when there is no such mission
         """
-        return mission_from(self._entries(mission))
+        return mission_from(self.log(mission))
 
     def site(self, mission: MissionId) -> Site:
         """Where a mission takes place, by its log alone."""
-        return site_of(accepted_of(self._entries(mission)))
+        return site_of(accepted_of(self.log(mission)))
 
     def is_running(self, mission: MissionId) -> bool:
         """Whether some worker carries it out, here or elsewhere."""
@@ -261,7 +287,7 @@ class Desk:
         full: bool = False,
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
-        moment = Moment(self._entries(mission), at)
+        moment = Moment(self.log(mission), at)
         return (dialogue or Dialogue()).ask(text, moment, full=full)
 
     # -- watching ------------------------------------------------------------------------------
@@ -282,21 +308,6 @@ class Desk:
 
     # -- inside --------------------------------------------------------------------------------
 
-    def _site(self, place: PlaceName) -> Site:
-        if place not in self.places:
-            raise UnknownPlaceError(
-                f"no place is called {place!r}", hint=f"there are {', '.join(self.places)}"
-            )
-        return self.places[place]
-
-    def _entries(self, mission: MissionId) -> tuple[Entry, ...]:
-        entries = self.store.entries(mission)
-        if not entries:
-            raise UnknownMissionError(
-                f"no mission {mission!r}", hint="the list of missions has their names"
-            )
-        return entries
-
     def _next_entries(self, mission: MissionId, since: Step, deadline: float) -> tuple[Entry, ...]:
         while True:
             with self._news:
@@ -311,7 +322,7 @@ class Desk:
 
     def _ask_of(self, mission: MissionId, asked: Asked, seen: Step | None = None) -> Reply:
         """Put a request where whoever carries the mission out finds it."""
-        entries = self._entries(mission)
+        entries = self.log(mission)
         if mission_from(entries).is_over:
             raise MissionOverError(
                 f"the mission {mission} is over", hint="it can still be asked about"

@@ -112,12 +112,12 @@ class Gate:
         caller = None
         if refused is None:
             caller, refused = self._known(scope)
-        if refused is None:
-            body = await _body(scope, receive, self._limits.body(scope["path"]))
-            if isinstance(body, Response):
-                refused = body
         if refused is not None:
             await refused(scope, receive, send)
+            return
+        body = await _body(scope, receive, self._limits.body(scope["path"]))
+        if isinstance(body, Response):
+            await body(scope, receive, send)
             return
         scope[CALLER] = caller
         await self._app(scope, _once(body, receive), send)

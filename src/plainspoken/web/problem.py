@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from pydantic import BaseModel, Field
 from starlette.responses import JSONResponse
 
@@ -9,6 +11,7 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.database import StoreError
 from plainspoken.knowledge.log import OvertakenError
 from plainspoken.web.desk import (
+    Command,
     MissionOverError,
     UnknownMissionError,
     UnknownPlaceError,
@@ -29,10 +32,11 @@ class Problem(BaseModel):
     """Why a request was refused."""
 
     what: str = Field(description="What is wrong, in a sentence.")
-    where: str | None = Field(None, description="The field, line or place.")
-    hint: str | None = Field(None, description="What to do next.")
+    where: str | None = Field(default=None, description="The field, line or place.")
+    hint: str | None = Field(default=None, description="What to do next.")
     unseen: list[Unseen] = Field(
-        [], description="What others asked of the mission, which this request does not know of."
+        default=[],
+        description="What others asked of the mission, which this request does not know of.",
     )
 
 
@@ -54,13 +58,17 @@ def status_of(error: PlainspokenError) -> int:
 
 def problem_of(error: PlainspokenError) -> Problem:
     """An error as it is told."""
-    unseen = error.commands if isinstance(error, UnseenError) else ()
     return Problem(
         what=error.what,
         where=error.where,
         hint=error.hint,
-        unseen=[Unseen(by=each.by, asked=each.asked, step=each.step) for each in unseen],
+        unseen=told(error.commands) if isinstance(error, UnseenError) else [],
     )
+
+
+def told(commands: Iterable[Command]) -> list[Unseen]:
+    """Commands as they are told."""
+    return [Unseen(by=each.by, asked=each.asked, step=each.step) for each in commands]
 
 
 def response_of(error: PlainspokenError) -> JSONResponse:
