@@ -191,7 +191,7 @@ class Access:
         """Let in who has a token; without grants, everyone, as an operator of that name."""
         self._grants = grants
         self._everyone = Caller(everyone, Role.OPERATOR)
-        self._lasts = lasts
+        self.lasts = int(lasts)
         self._now = now
         self._left: dict[Cookie, EpochSeconds] = {}
 
@@ -217,7 +217,7 @@ class Access:
         caller = self.by_token(token)
         if caller is None:
             return None
-        until = int(self._now() + self._lasts)
+        until = int(self._now() + self.lasts)
         name = urlsafe_b64encode(caller.name.encode()).decode().rstrip("=")
         signed = f"{name}.{until}.{secrets.token_urlsafe(12)}"
         cookie = f"{signed}.{_signature(digest_of(token), signed)}"

@@ -47,6 +47,11 @@ def refuse_exposure(host: HostName, names: Iterable[HostName], *, guarded: bool)
         )
 
 
+def at(host: HostName) -> str:
+    """A host as it stands in an address."""
+    return f"[{host}]" if ":" in host else host
+
+
 @dataclass(frozen=True, slots=True)
 class Names:
     """The names that we answer to.

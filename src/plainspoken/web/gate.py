@@ -2,14 +2,14 @@
 
 In this order: is it called by one of our names, from a page of ours, with a body that is not too
 large; who is it; do they ask too often. What comes through carries who it is in its scope, under
-`CALLER`. A websocket is closed when the login ends that it came in with.
+`CALLER`, and what tells whether they still may, under `STILL`: whatever stays open asks that now
+and then, so that it ends with the login or the token that it came in with.
 """
 
 from __future__ import annotations
 
 import asyncio
-import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from http.cookies import CookieError, SimpleCookie
 from urllib.parse import quote
@@ -27,7 +27,8 @@ from plainspoken.web.rate import Rate, Rates, Seats, TooManyError
 
 CALLER = "plainspoken.caller"
 COOKIE = "plainspoken_login"
-LOGIN = "/login"
+STILL = "plainspoken.still"
+LOGIN, LOGOUT = "/login", "/logout"
 API = "/api/"
 STATIC = "/_nicegui/"
 """Files of the page's framework: the same for everyone, and many for each page."""
@@ -37,6 +38,8 @@ REFUSALS = Rate("wrong tokens", 0.2, 10)
 FRAMES = Rate("messages on this connection", 100, 1000)
 
 KILOBYTE = 1024
+LOOK_AGAIN = 10.0
+"""Seconds after which it is looked whether somebody still may be in."""
 BODY_WITHIN = 30.0
 """Seconds in which a body has to be here."""
 CLOSED_POLICY, CLOSED_LOGIN = 1008, 4401
@@ -119,7 +122,7 @@ class Gate:
         if isinstance(body, Response):
             await body(scope, receive, send)
             return
-        scope[CALLER] = caller
+        scope[CALLER], scope[STILL] = caller, self._still(scope)
         await self._app(scope, _once(body, receive), send)
 
     def _stranger(self, scope: Scope) -> Response | None:
@@ -155,7 +158,7 @@ class Gate:
             caller = self._caller(scope)
             if caller is None and path != LOGIN:
                 if _shows_something(scope):
-                    self._rates.spend(REFUSALS, _address(scope))
+                    self._rates.spend(REFUSALS, address_of(scope))
                 return None, _unknown(scope)
             if not path.startswith(STATIC):
                 self._rates.spend(REQUESTS, self._who(scope, caller))
@@ -175,9 +178,18 @@ class Gate:
         cookie = login_cookie(headers)
         return None if cookie is None else self._access.by_cookie(cookie)
 
+    def _still(self, scope: Scope) -> Callable[[], bool]:
+        def still() -> bool:
+            try:
+                return self._caller(scope) is not None
+            except PlainspokenError:
+                return False
+
+        return still
+
     def _who(self, scope: Scope, caller: Caller | None) -> str:
         known = caller is not None and not self._access.is_open
-        return f"name {caller.name}" if known and caller else f"address {_address(scope)}"
+        return f"name {caller.name}" if known and caller else f"address {address_of(scope)}"
 
     # -- websockets ----------------------------------------------------------------------------
 
@@ -193,7 +205,7 @@ class Gate:
         try:
             with self._sockets.seat(who):
                 scope[CALLER] = caller
-                frames = _Frames(receive, send, caller)
+                frames = _Frames(receive, send, self._still(scope))
                 await self._app(scope, frames.next, frames.send)
         except TooManyError:
             await receive()
@@ -203,23 +215,29 @@ class Gate:
 class _Frames:
     """The messages of a websocket, until there are too many, or the login ends."""
 
-    def __init__(self, receive: Receive, send: Send, caller: Caller) -> None:
-        self._receive, self._send = receive, send
-        self._until = caller.until
+    def __init__(self, receive: Receive, send: Send, still: Callable[[], bool]) -> None:
+        self._receive, self._send, self._still = receive, send, still
+        self._next: asyncio.Future[Message] | None = None
         self._rates = Rates()
         self._closed = False
 
     async def next(self) -> Message:
         """The next message; that it is closed, where it is to end."""
-        left = None if self._until is None else max(0.0, self._until - time.time())
+        self._next = self._next or asyncio.ensure_future(self._receive())
         try:
-            message = await asyncio.wait_for(self._receive(), left)
+            while not self._next.done():
+                await asyncio.wait({self._next}, timeout=LOOK_AGAIN)
+                if not self._still():
+                    return await self._close(CLOSED_LOGIN)
+            message, self._next = self._next.result(), None
             if message["type"] == "websocket.receive":
                 self._rates.spend(FRAMES, "")
-        except TimeoutError:
-            return await self._close(CLOSED_LOGIN)
         except TooManyError:
             return await self._close(CLOSED_POLICY)
+        except asyncio.CancelledError:
+            if self._next is not None:
+                self._next.cancel()
+            raise
         return message
 
     async def send(self, message: Message) -> None:
@@ -228,6 +246,8 @@ class _Frames:
             await self._send(message)
 
     async def _close(self, code: int) -> Message:
+        if self._next is not None:
+            self._next.cancel()
         await self.send({"type": "websocket.close", "code": code})
         self._closed = True
         return {"type": "websocket.disconnect", "code": code}
@@ -247,7 +267,8 @@ def _shows_something(scope: Scope) -> bool:
     return "authorization" in headers or login_cookie(headers) is not None
 
 
-def _address(scope: Scope) -> str:
+def address_of(scope: Scope) -> str:
+    """Where somebody calls from."""
     client = scope.get("client")
     return client[0] if client else "unknown"
 

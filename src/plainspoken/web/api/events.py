@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import Annotated
 
 import anyio
-from fastapi import APIRouter, Header, HTTPException, Query, Response
+from fastapi import APIRouter, Header, HTTPException, Query, Request, Response
 from starlette.responses import StreamingResponse
 from starlette.types import Message, Receive, Scope, Send
 
@@ -15,6 +15,7 @@ from plainspoken.knowledge.jsonl import sealed
 from plainspoken.web.api.calling import MissionName, TheCaller, TheOffice
 from plainspoken.web.api.model import MOST_STEPS, Event, Events
 from plainspoken.web.api.office import Office
+from plainspoken.web.gate import STILL
 
 router = APIRouter(tags=["events"])
 
@@ -56,6 +57,7 @@ def stream(
     mission: MissionName,
     office: TheOffice,
     caller: TheCaller,
+    request: Request,
     since: Annotated[int, Query(ge=0, le=MOST_STEPS)] = 0,
     last_event_id: Annotated[str | None, Header(max_length=20)] = None,
 ) -> Response:
@@ -68,7 +70,7 @@ def stream(
     if standing.mission.is_over and first > standing.seen:
         return Response(status_code=204)
     office.viewers.take(caller.name)
-    lines = _lines(office, mission, min(first, standing.seen + 1))
+    lines = _lines(office, mission, min(first, standing.seen + 1), request.scope[STILL])
     return _Stream(lines, on_end=lambda: office.viewers.leave(caller.name))
 
 
@@ -110,9 +112,13 @@ def _after(last_event_id: str | None, since: int) -> int:
     return int(last_event_id) + 1
 
 
-async def _lines(office: Office, mission: str, since: int) -> AsyncIterator[str]:
+async def _lines(
+    office: Office, mission: str, since: int, still: Callable[[], bool]
+) -> AsyncIterator[str]:
     yield "retry: 1000\n\n"
     async for lines in office.feed.follow(mission, since, patience=HEARTBEAT):
+        if not still():
+            return
         if not lines:
             yield ": nothing new\n\n"
         for line in lines:
