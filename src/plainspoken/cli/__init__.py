@@ -20,6 +20,7 @@ COMMANDS = {
     "work": "Carry out the missions that wait in a store, as a worker.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
     "serve": "Open the page: say what should be done, watch it, ask about it.",
+    "token": "Make a token for somebody who may look, or command, over the network.",
     "answer": "Answer what a mission asks of people.",
     "eval": "Measure how well sentences are understood, and how true answers are.",
     "missions": "List missions; pause, resume or cancel one; write its log.",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from plainspoken.cli.guard import guard_options, guarding
 from plainspoken.cli.site import FILE, chosen_site, site_options
 from plainspoken.cli.store import open_store, store_option
 from plainspoken.errors import PlainspokenError
@@ -27,6 +28,7 @@ PACE = 0.6
 @store_option
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to listen on.")
 @click.option("--port", default=8765, show_default=True, type=click.IntRange(0, 65535))
+@guard_options
 @click.option("--layout", type=FILE, metavar="FILE", help="Where places lie on the map (JSON).")
 @click.option("--robots", type=FILE, metavar="FILE", help="Robots that are not simulated (YAML).")
 @click.option("--seed", default=0, show_default=True, help="Chances of the simulated robot.")
@@ -46,6 +48,10 @@ def serve(
     store: str | None,
     host: str,
     port: int,
+    tokens: Path | None,
+    names: tuple[str, ...],
+    tls_cert: Path | None,
+    tls_key: Path | None,
     layout: Path | None,
     robots: Path | None,
     seed: int,
@@ -56,28 +62,35 @@ def serve(
 ) -> None:
     """Open the page: say what should be done, confirm it, watch it, ask about it.
 
-    Without --domain and --problem, it knows the bundled vineyard, kitchen and warehouse.
+    Without --domain and --problem, it knows the bundled vineyard, kitchen and warehouse. Programs
+    find the same at /api/v1, described by /api/v1/openapi.json.
 
     \b
     plainspoken serve --demo
     plainspoken serve -d domain.pddl -p problem.pddl -l landmarks.json --robots robots.yaml
+    plainspoken serve --host 0.0.0.0 --tokens tokens.txt
     """
     try:
+        from plainspoken.web.front import behind_gate, caller_of
         from plainspoken.web.server import create_app, run
     except ImportError as error:
         raise PlainspokenError(f"the page cannot be opened: {error}", hint=GET_IT) from error
     from plainspoken.cli.robots import chosen_robot, robot_for
     from plainspoken.cli.simulated import Settings
     from plainspoken.pipeline import bundled
+    from plainspoken.web.address import Names, at
     from plainspoken.web.desk import Desk
     from plainspoken.web.page.layout import read_layout
 
-    names = EXAMPLES if domain is None and problem is None and landmarks is None else ()
-    sites = {name: _bundled(name) for name in names} or {
+    access = guarding(host, names, tokens)
+    if (tls_cert is None) != (tls_key is None):
+        raise click.UsageError("https needs both --tls-cert and --tls-key")
+    examples = EXAMPLES if domain is None and problem is None and landmarks is None else ()
+    sites = {name: _bundled(name) for name in examples} or {
         each.problem.name: each for each in [chosen_site(domain, problem, landmarks)]
     }
     first = next(iter(sites.values()))
-    layouts = {sites[n].problem.name: read_layout(f) for n in names
+    layouts = {sites[n].problem.name: read_layout(f) for n in examples
                if (f := bundled(n) / "layout.json").exists()}  # fmt: skip
     if layout is not None:
         layouts[first.problem.name] = read_layout(layout)
@@ -85,11 +98,14 @@ def serve(
     with open_store(store) as kept:
         desk = Desk(sites, kept, partial(robot_for, kept.database.place))
         try:
-            app = create_app(desk, robot=chosen.to_json(), layouts=layouts)
+            robot = chosen.to_json()
+            page = create_app(desk, robot=robot, layouts=layouts, visitor_of=caller_of)
+            app = behind_gate(page, desk, access, Names.of(host, names), robot=robot)
             if demo:
                 start_demo(desk, pace)
-            click.echo(f"plainspoken: open http://{host}:{port} in a browser", err=True)
-            run(app, host=host, port=port)
+            address = f"{'http' if tls_cert is None else 'https'}://{at(host)}:{port}"
+            click.echo(f"plainspoken: open {address} in a browser", err=True)
+            run(app, host=host, port=port, tls=(tls_cert, tls_key))
         finally:
             desk.close()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import uvicorn
@@ -46,6 +47,27 @@ def create_app(
     return app
 
 
-def run(app: ASGIApp, *, host: str, port: int) -> None:
-    """Serve until the process is told to stop."""
-    uvicorn.run(app, host=host, port=port, log_level="warning", ws_max_size=1_000_000)
+def run(
+    app: ASGIApp,
+    *,
+    host: str,
+    port: int,
+    tls: tuple[Path | None, Path | None] = (None, None),
+) -> None:
+    """Serve until the process is told to stop.
+
+    tls: certificate and key
+    """
+    certificate, key = tls
+    uvicorn.run(
+        app,
+        host=host,
+        port=port,
+        log_level="warning",
+        access_log=False,  # addresses may hold what somebody asked
+        server_header=False,
+        ws_max_size=1_000_000,
+        timeout_graceful_shutdown=2,  # whoever watches would otherwise keep it from ending
+        ssl_certfile=certificate,
+        ssl_keyfile=key,
+    )
