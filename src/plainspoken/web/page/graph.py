@@ -6,7 +6,8 @@ boxes that say how many situations they hold, and open when they are asked to.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -23,7 +24,7 @@ PLENTY = 40
 """Nodes that are drawn without folding."""
 AHEAD, BEHIND = 4, 8
 """Steps before and after the present that are drawn of a larger policy."""
-ACROSS, DOWN = 190.0, 92.0
+ACROSS, DOWN = 235.0, 96.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +78,7 @@ def graph_of(
     present: NodeId | None,
     lexicon: Lexicon,
     *,
-    opened: Set[NodeId] = frozenset(),
+    opened: AbstractSet[NodeId] = frozenset(),
     whole: bool = False,
 ) -> Graph:
     """Draw a policy.
@@ -92,11 +93,12 @@ def graph_of(
     folds = _folds(policy, kinds, seen)
     drawn = {id: str(id) for id in seen} | {id: f for f, ids in folds.items() for id in ids}
     went = set(zip(past, (*past[1:], present), strict=True)) if past else set()
-    again = _within(policy, () if present is None else (present,), None, _successors(policy))
-    arrows = _arrows(policy, kinds, drawn, went, again, lexicon)
+    arrows = _arrows(policy, drawn, went, _ahead(policy, present), lexicon)
     spots = _layered(list(dict.fromkeys(drawn[n.id] for n in policy.nodes)), arrows)
     vertices = [
-        Vertex(str(n.id), kinds[n.id], _label(n.action, lexicon), *spots[str(n.id)], n.action is None)
+        Vertex(
+            str(n.id), kinds[n.id], _label(n.action, lexicon), *spots[str(n.id)], n.action is None
+        )
         for n in policy.nodes
         if n.id in seen
     ]
@@ -115,8 +117,7 @@ def kinds_of(
 
     A node that was gone through and can be come to again is past; the mission may end anywhere.
     """
-    ahead = _within(policy, () if present is None else (present,), None, _successors(policy))
-    went = set(past)
+    ahead, went = _ahead(policy, present), set(past)
     found: dict[NodeId, Kind] = {}
     for node in policy.nodes:
         found[node.id] = (
@@ -126,6 +127,11 @@ def kinds_of(
             else "missed"
         )  # fmt: skip
     return found
+
+
+def _ahead(policy: Policy, present: NodeId | None) -> set[NodeId]:
+    """The nodes that may be come to from the present, itself included."""
+    return _within(policy, () if present is None else (present,), None, _successors(policy))
 
 
 def _successors(policy: Policy) -> Callable[[NodeId], Iterable[NodeId]]:
@@ -150,7 +156,7 @@ def _within(
 
 
 def _seen(
-    policy: Policy, past: Sequence[NodeId], present: NodeId | None, opened: Set[NodeId]
+    policy: Policy, past: Sequence[NodeId], present: NodeId | None, opened: AbstractSet[NodeId]
 ) -> set[NodeId]:
     here = present if present is not None else past[-1] if past else policy.initial
     near = _within(policy, (here,), AHEAD, _successors(policy))
@@ -159,7 +165,7 @@ def _seen(
 
 
 def _folds(
-    policy: Policy, kinds: Mapping[NodeId, Kind], seen: Set[NodeId]
+    policy: Policy, kinds: Mapping[NodeId, Kind], seen: AbstractSet[NodeId]
 ) -> dict[Shown, frozenset[NodeId]]:
     """The nodes that are not seen, those together that are joined and of one kind."""
     root = {id: id for id in kinds if id not in seen}
@@ -182,25 +188,20 @@ def _folds(
 
 def _arrows(
     policy: Policy,
-    kinds: Mapping[NodeId, Kind],
     drawn: Mapping[NodeId, Shown],
-    went: Set[tuple[NodeId, NodeId | None]],
-    again: Set[NodeId],
+    went: AbstractSet[tuple[NodeId, NodeId | None]],
+    ahead: AbstractSet[NodeId],
     lexicon: Lexicon,
 ) -> tuple[Arrow, ...]:
     found: dict[tuple[Shown, Shown], Arrow] = {}
     for edge in edges(policy, lambda atom: lexicon.clause(atom).said()):
         source, target = drawn[edge.source], drawn[edge.target]
-        if source == target and (source.startswith("fold") or edge.source != edge.target):
+        folded = source.startswith("fold") or target.startswith("fold")
+        if source == target and folded:
             continue
-        kind: Kind = "missed"
+        kind: Kind = "future" if edge.source in ahead else "missed"
         if (edge.source, edge.target) in went:
             kind = "past"
-        elif kinds[edge.source] in ("present", "future") and kinds[edge.target] != "missed":
-            kind = "future"
-        elif edge.source in again and kinds[edge.target] != "missed":
-            kind = "future"
-        folded = source.startswith("fold") or target.startswith("fold")
         known = found.get((source, target))
         if known is None or (known.kind != "past" and kind == "past"):
             found[source, target] = Arrow(source, target, kind, "" if folded else edge.label)
@@ -211,9 +212,7 @@ def _label(action: str | None, lexicon: Lexicon) -> str:
     return "done" if action is None else lexicon.deed(action).bare
 
 
-def _layered(
-    names: Sequence[Shown], arrows: Iterable[Arrow]
-) -> dict[Shown, tuple[float, float]]:
+def _layered(names: Sequence[Shown], arrows: Iterable[Arrow]) -> dict[Shown, tuple[float, float]]:
     """A spot for each: across by how many steps it is from the first, down by its neighbours."""
     after: dict[Shown, list[Shown]] = {name: [] for name in names}
     before: dict[Shown, list[Shown]] = {name: [] for name in names}
@@ -266,7 +265,7 @@ def walked(moment: Moment) -> tuple[Policy | None, tuple[NodeId, ...], NodeId | 
 
 
 def situation(policy: Policy, node: NodeId, moment: Moment) -> str:
-    """What a node of the policy is about, in words: how it differs from now, and what I do there."""
+    """What a node is about: how it differs from now, and what I do there."""
     lexicon, found = moment.lexicon, policy.node(node)
     changes = found.state ^ (moment.state - policy.static - moment.static)
     facts = [

@@ -79,7 +79,8 @@ def _line(line: Line) -> Html:
         "li",
         tag("button", _clock(line.time), type="button", class_="moment", data_pick=str(line.step),
             aria_label=f"show how it was at {_clock(line.time)}, step {line.step}"),
-        tag("span", _sign(sign), tag("span", word, class_="spoken-only"), class_=f"sort {line.sort}"),
+        tag("span", _sign(sign), tag("span", word, class_="spoken-only"),
+            class_=f"sort {line.sort}"),
         tag("span", tag("b", line.text), f" {line.came_of}" if line.came_of else None),
         data_key=f"line {line.steps[0]}",
         data_step=" ".join(map(str, line.steps)),
@@ -110,8 +111,7 @@ def legend(entries: Sequence[LegendEntry]) -> Html:
     return tag(
         "ul",
         *(
-            tag("li", tag("span", each.mark.sign, class_=f"dot {each.mark.tone}", aria_hidden="true"),
-                each.words)
+            tag("li", _sign(each.mark.sign, f"dot {each.mark.tone}"), each.words)
             for each in entries
         ),
         class_="legend",
@@ -132,14 +132,12 @@ def buttons(texts: Sequence[str], label: str, kind: str = "chip") -> Html:
     )
 
 
-def _sign(sign: str) -> Html:
-    return tag("span", sign, aria_hidden="true", class_="sign")
+def _sign(sign: str, classes: str = "sign") -> Html:
+    return tag("span", sign, aria_hidden="true", class_=classes)
 
 
 def _clock(time: str) -> str:
     return datetime.fromisoformat(time).astimezone().strftime("%H:%M:%S")
-
-
 
 
 def tabs(names: Sequence[str]) -> Html:

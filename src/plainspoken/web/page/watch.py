@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 
-from nicegui import run, ui
+from nicegui import ui
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.mission import Status
 from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.web.page import panels
+from plainspoken.web.page.commands import Commands
 from plainspoken.web.page.drawing import legend
 from plainspoken.web.page.frame import (
     ASSETS,
@@ -19,13 +20,13 @@ from plainspoken.web.page.frame import (
     Text,
     Visitor,
     button,
-    confirmed,
     framed,
     tell,
 )
 from plainspoken.web.page.graph import PLENTY, graph_of, situation, walked
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
+from plainspoken.web.page.order import Order, order_in
 from plainspoken.web.page.policy import PolicyGraph
 from plainspoken.web.page.speech import Said, bubbles
 from plainspoken.web.page.view import View
@@ -44,6 +45,7 @@ class Watch:
         self.house, self.visitor, self.feed = house, visitor, feed
         self.desk = house.desk
         self.mission = feed.mission
+        self.commands = Commands(self.desk, self.mission, visitor, self._latest)
         self.at: Step | None = None
         self.news = asyncio.Event()
         self.opened: frozenset[NodeId] = frozenset()
@@ -76,25 +78,28 @@ class Watch:
             with self._panel("plan", "Plan"):
                 self._plan()
             with self._panel("events", "Events"):
-                self.timeline = Living().classes("keeps-low scroll").on_pick(
-                    lambda step: self._look(int(step))
+                self.timeline = (
+                    Living().classes("keeps-low scroll").on_pick(lambda step: self._look(int(step)))
                 )
             with self._panel("known", "Known"):
                 self.known = Living().classes("scroll")
         self.show(view)
 
     def _panel(self, name: str, title: str) -> ui.element:
-        found = ui.element("section").classes(f"card panel {name}").props(
-            f'id="{name}" aria-labelledby="{name}-title"'
+        found = (
+            ui.element("section")
+            .classes(f"card panel {name}")
+            .props(f'id="{name}" aria-labelledby="{name}-title"')
         )
         with found:
             Text("h2", title).props(f'id="{name}-title"')
         return found
 
     def _controls(self) -> None:
-        self.pause = button("Pause", self._command(self.desk.pause))
-        self.resume = button("Go on", self._command(self.desk.resume), "main")
-        self.cancel = button("Cancel …", self._cancel, "danger")
+        self.pause = button("Pause", self.commands.pause)
+        self.resume = button("Go on", self.commands.resume, "main")
+        self.change = button("Change …", self.commands.change)
+        self.cancel = button("Cancel …", self.commands.cancel, "danger")
 
     def _slider(self) -> None:
         with ui.element("div").classes("row replay"):
@@ -109,13 +114,15 @@ class Watch:
             self.moment = Text("span", classes="when")
 
     def _plan(self) -> None:
-        with ui.element("div").classes("row"):
+        graph = PolicyGraph(f"{ASSETS}/cytoscape/cytoscape.esm.min.mjs", self._situation)
+        self.graph = graph
+        with ui.element("div").classes("row") as row:
             search = ui.input(label="Find in the plan").props("outlined dense clearable")
-            search.on_value_change(lambda event: self.graph.find(event.value or ""))
-            button("Now", lambda: self.graph.here(), "chip")
-            button("Fit", lambda: self.graph.fit(), "chip")
+            search.on_value_change(lambda event: graph.find(event.value or ""))
+            button("Now", graph.here, "chip")
+            button("Fit", graph.fit, "chip")
             self.fold = button("Show all", self._unfold, "chip")
-        self.graph = PolicyGraph(f"{ASSETS}/cytoscape/cytoscape.esm.min.mjs", self._situation)
+        row.move(target_index=1)
         Living(panels.graph_legend())
         self.situation = Text("p", "Choose a box to see what it is about.", "note").props(
             'aria-live="polite"'
@@ -182,14 +189,13 @@ class Watch:
         self.known.show(panels.known(view.known, utc_now()))
         self.talk.show(bubbles(self.feed.conversation.turns, view.moment.problem))
         self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
-        self.slider.props(f'max="{self.feed.last}"')
-        self.slider._props["value"] = str(view.step)
-        self.slider.update()
+        self.slider.props(f'max="{self.feed.last}" value="{view.step}"')
         self.moment.set_text(f"step {view.step} of {self.feed.last}" if past else "live")
         self.live.set_visibility(past)
         may = self.visitor.may_command and not view.is_over
         self.pause.set_visibility(may and view.status is not Status.PAUSED)
         self.resume.set_visibility(may and view.status is Status.PAUSED)
+        self.change.set_visibility(may)
         self.cancel.set_visibility(may)
 
     async def follow(self) -> None:
@@ -197,32 +203,12 @@ class Watch:
         while True:
             await self.news.wait()
             self.news.clear()
-            self.show(await run.io_bound(self.feed.view, self.at))
+            self.show(await asyncio.to_thread(self.feed.view, self.at))
             await asyncio.sleep(SLOWEST)
 
     def _look(self, at: Step | None) -> None:
         self.at = None if at is None or at >= self.feed.last else at
         self.news.set()
-
-    # -- commands ------------------------------------------------------------------------------
-
-    def _command(self, command: Callable[[str, str], None]) -> Callable[[], Awaitable[None]]:
-        async def pressed() -> None:
-            try:
-                await run.io_bound(command, self.mission, self.visitor.name)
-            except PlainspokenError as error:
-                tell(error)
-
-        return pressed
-
-    async def _cancel(self) -> None:
-        if await confirmed(
-            "Cancel this mission?",
-            f"“{self.view.title}” is given up for good. What was done stays done.",
-            "Yes, cancel it",
-            danger=True,
-        ):
-            await self._command(self.desk.cancel)()
 
     # -- talk ----------------------------------------------------------------------------------
 
@@ -238,10 +224,36 @@ class Watch:
         talk = self.feed.conversation
         dialogue = talk.dialogues.get(self.visitor.name, Dialogue())
         try:
-            answer, after = await run.io_bound(dialogue.ask, text, self.view.moment)
+            answer, after = await asyncio.to_thread(dialogue.ask, text, self.view.moment)
         except PlainspokenError as error:
             tell(error)
             return
-        talk.dialogues[self.visitor.name] = after
-        talk.add(Said(self.visitor.name, text), Said("robot", answer.text, answer))
+        order = None if self.view.is_over else order_in(text, answer.kind)
+        talk.add(Said(self.visitor.name, text))
+        if order is None or not self.visitor.may_command:
+            talk.dialogues[self.visitor.name] = after
+            talk.add(Said("robot", answer.text, answer))
+        else:
+            reply = await self._ordered(order, text)
+            talk.add(*([Said("robot", reply)] if reply else ()))
         self.feed.tell()
+
+    async def _ordered(self, order: Order, text: str) -> str | None:
+        """Do what somebody said should be done, once they confirm it."""
+        self.feed.tell()
+        match order:
+            case "report":
+                return await self.commands.report(text)
+            case "pause":
+                await self.commands.pause()
+            case "resume":
+                await self.commands.resume()
+            case "cancel":
+                await self.commands.cancel()
+            case "change":
+                await self.commands.change(text)
+        return None
+
+    def _latest(self) -> View:
+        """The mission as it is now, whatever moment of it is looked at."""
+        return self.view if self.at is None else self.feed.view()
