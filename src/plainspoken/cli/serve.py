@@ -42,6 +42,7 @@ PACE = 0.6
 )
 @click.option("--demo", is_flag=True, help="Have a mission under way in the vineyard.")
 def serve(
+    *,
     domain: Path | None,
     problem: Path | None,
     landmarks: Path | None,
@@ -57,7 +58,6 @@ def serve(
     seed: int,
     steer: tuple[str, ...],
     pace: float,
-    *,
     demo: bool,
 ) -> None:
     """Open the page: say what should be done, confirm it, watch it, ask about it.

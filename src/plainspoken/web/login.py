@@ -72,7 +72,7 @@ def login_routes(access: Access, rates: Rates | None = None) -> list[Route]:
             cookie,
             max_age=access.lasts,
             httponly=True,
-            samesite="strict",
+            samesite="lax",
             secure=request.url.scheme == "https",
         )
         return response
@@ -82,7 +82,7 @@ def login_routes(access: Access, rates: Rates | None = None) -> list[Route]:
         if cookie is not None:
             access.logout(cookie)
         response = RedirectResponse(LOGIN, 303)
-        response.delete_cookie(COOKIE, httponly=True, samesite="strict")
+        response.delete_cookie(COOKIE, httponly=True, samesite="lax")
         return response
 
     return [

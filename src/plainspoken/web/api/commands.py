@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter
+from fastapi import APIRouter, HTTPException
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.observation import Told
@@ -18,6 +18,7 @@ from plainspoken.web.api.office import Office
 from plainspoken.web.desk import Reply
 from plainspoken.web.problem import told
 from plainspoken.world.domain import GroundAtom, Problem
+from plainspoken.world.event import Step
 
 router = APIRouter(tags=["commands"], dependencies=[COMMAND])
 
@@ -28,13 +29,15 @@ def pause(mission: MissionName, asked: Pausing, office: TheOffice, caller: TheOp
 
     It is never refused for what others asked: that is told in `meanwhile`.
     """
-    return _heard(office, mission, office.desk.pause(mission, caller.name, seen=asked.seen))
+    seen = _known(office, mission, asked.seen)
+    return _heard(office, mission, office.desk.pause(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/resume")
 def resume(mission: MissionName, asked: Resuming, office: TheOffice, caller: TheOperator) -> Heard:
     """Go on with a mission that was paused; 409 where others asked something after `seen`."""
-    return _heard(office, mission, office.desk.resume(mission, caller.name, seen=asked.seen))
+    seen = _known(office, mission, asked.seen)
+    return _heard(office, mission, office.desk.resume(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/cancel")
@@ -42,7 +45,8 @@ def cancel(
     mission: MissionName, asked: Cancelling, office: TheOffice, caller: TheOperator
 ) -> Heard:
     """Give a mission up; 409 where others asked something after `seen`."""
-    return _heard(office, mission, office.desk.cancel(mission, caller.name, seen=asked.seen))
+    seen = _known(office, mission, asked.seen)
+    return _heard(office, mission, office.desk.cancel(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/reports")
@@ -53,6 +57,17 @@ def report(mission: MissionName, asked: Reporting, office: TheOffice, caller: Th
     deleted = frozenset(_fact(atom, problem, "body.deleted") for atom in asked.deleted)
     reply = office.desk.report(mission, Told(caller.name, asked.text, added, deleted))
     return _heard(office, mission, reply)
+
+
+def _known(office: Office, mission: str, seen: Step | None) -> Step | None:
+    """A step that whoever commands can have seen.
+
+    raises HTTPException: when the log does not go so far
+    """
+    last = office.standings.of(mission).seen
+    if seen is not None and seen > last:
+        raise HTTPException(422, f"nobody has seen step {seen}: the last one is {last}")
+    return seen
 
 
 def _fact(text: str, problem: Problem, where: str) -> GroundAtom:

@@ -54,6 +54,7 @@ def events(
     },
 )
 def stream(
+    *,
     mission: MissionName,
     office: TheOffice,
     caller: TheCaller,
