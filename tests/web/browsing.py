@@ -7,7 +7,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.error import URLError
@@ -30,46 +30,62 @@ needs_browser = pytest.mark.skipif(
 )
 
 
+SERVING = Path(__file__).with_name("serving.py")
+
+
 class Served:
     """A server of the page, which can be killed and started again with the same store."""
 
-    def __init__(self, store: Path, options: Sequence[str] = ()) -> None:
-        self.store = store
-        self.options = tuple(options)
+    def __init__(self, folder: Path) -> None:
+        """Start it; its store, and what its robots may do, are kept in the folder."""
+        self._folder = folder
         self.port = free_port()
         self.url = f"http://127.0.0.1:{self.port}"
-        self._process: subprocess.Popen[bytes] | None = None
         self.start()
 
+    def may_end(self, actions: int) -> None:
+        """Let robots end so many actions of each mission, and wait before the end of the next."""
+        written = self._folder / "allowed.new"
+        written.write_text(str(actions))
+        written.replace(self._folder / "allowed")
+
     def start(self) -> None:
-        command = [sys.executable, "-m", "plainspoken", "serve", "--port", str(self.port)]
-        environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTEST", "NICEGUI"))}
-        self._process = subprocess.Popen(
-            [*command, "--store", str(self.store), *self.options], env=environment
-        )
-        for _ in range(600):
-            assert self._process.poll() is None, "the server ended"
-            try:
-                urlopen(f"{self.url}/missions", timeout=5).close()
-            except (URLError, OSError):
-                time.sleep(0.1)
-            else:
-                return
-        raise AssertionError("the server does not answer")
+        arguments = (str(self.port), self._folder / "missions.db", self._folder / "allowed")
+        # What NiceGUI makes of itself inside of tests is not what we want to see.
+        environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST")}
+        self._process = subprocess.Popen([sys.executable, SERVING, *arguments], env=environment)
+        wait_for(self.url, self._process)
 
     def kill(self) -> None:
         """End it as a power cut would."""
-        assert self._process is not None
         self._process.kill()
         self._process.wait()
 
     def stop(self) -> None:
-        assert self._process is not None
-        self._process.send_signal(signal.SIGINT)
+        stop(self._process)
+
+
+def wait_for(url: str, process: subprocess.Popen[bytes]) -> None:
+    """Wait until a server answers."""
+    for _ in range(600):
+        assert process.poll() is None, "the server ended"
         try:
-            self._process.wait(30)
-        except subprocess.TimeoutExpired:
-            self.kill()
+            urlopen(f"{url}/missions", timeout=20).close()
+        except (URLError, OSError):
+            time.sleep(0.1)
+        else:
+            return
+    raise AssertionError("the server does not answer")
+
+
+def stop(process: subprocess.Popen[bytes]) -> None:
+    """End a server as Ctrl-C does."""
+    process.send_signal(signal.SIGINT)
+    try:
+        process.wait(30)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
 
 
 def free_port() -> int:
@@ -77,15 +93,6 @@ def free_port() -> int:
         taken.bind(("127.0.0.1", 0))
         port: int = taken.getsockname()[1]
         return port
-
-
-@contextmanager
-def served(store: Path, *options: str) -> Iterator[Served]:
-    server = Served(store, options)
-    try:
-        yield server
-    finally:
-        server.stop()
 
 
 @contextmanager

@@ -17,7 +17,6 @@ from tests.web.browsing import (
     browser,
     needs_browser,
     say,
-    served,
     started,
     status,
 )
@@ -27,11 +26,21 @@ expect.set_options(timeout=PATIENCE)
 SENTENCE = "Clear line 2, but never enter line 3 while the bin is full"
 
 
+EVERYTHING = 1000
+
+
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    """A server whose robots take their time, so that a mission does not end under our hands."""
-    with served(tmp_path_factory.mktemp("served") / "missions.db", "--pace", "0.5") as found:
-        yield found
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    found = Served(tmp_path_factory.mktemp("served"))
+    yield found
+    found.stop()
+
+
+@pytest.fixture
+def server(shared: Served) -> Served:
+    """A server whose robots wait before the end of their second action, until they may end it."""
+    shared.may_end(1)
+    return shared
 
 
 @pytest.fixture
@@ -51,11 +60,13 @@ def test_from_a_sentence_to_a_mission_that_answers_and_is_looked_back_at(
     expect(page.locator(".english")).to_contain_text("Never visit line 3 while the box is full")
     expect(page.locator("ul.examples svg.trace")).not_to_have_count(0)
     started(page, server.url, SENTENCE)
-    page.get_by_role("button", name="Pause").click()
-    status(page, "paused")
     assert "line 2" in ask(page, "Why?")
     page.locator("button.evidence").first.hover()
     expect(page.locator("svg.site .lit")).not_to_have_count(0)
+    page.get_by_role("button", name="Pause").click()
+    status(page, "paused")
+    server.may_end(EVERYTHING)
+    expect(page.locator(".doing")).to_contain_text("wait until I'm told")
     page.get_by_label("Ask, or tell me something").fill("the support robot is at line 1")
     page.keyboard.press("Enter")
     page.get_by_role("button", name="Yes, note it").click()
@@ -129,23 +140,23 @@ def test_a_request_is_changed_once_that_is_confirmed(
 ) -> None:
     page = window.new_page()
     started(page, server.url, "Visit line 3 and then line 0")
-    page.get_by_role("button", name="Pause").click()
-    status(page, "paused")
     page.get_by_role("button", name="Change …").click()
     page.get_by_label("What should be done?").fill("Visit line 1")
     page.get_by_role("dialog").get_by_role("button", name="Understand").click()
     page.get_by_role("button", name="Yes, instead of all that was asked").click()
-    expect(page.locator(".clauses")).to_have_text("Visit line 1.○ still open")
-    page.get_by_role("button", name="Go on").click()
+    server.may_end(EVERYTHING)
     status(page, "finished")
+    expect(page.locator(".clauses")).to_have_text("Visit line 1.✓ done")
+    page.get_by_role("tab", name="Events").click()
+    expect(page.locator(".timeline")).to_contain_text("operator asks for a change")
 
 
 def test_two_browsers_see_the_same_and_one_is_told_when_the_other_commands(
-    server: Served, window: BrowserContext, tmp_path: Path
+    server: Served, window: BrowserContext
 ) -> None:
     first = window.new_page()
     address = started(first, server.url, SENTENCE)
-    second = window.browser.new_page() if window.browser else window.new_page()
+    second = window.new_page()
     second.goto(address)
     status(second, "running")
     first.get_by_role("button", name="Pause").click()
@@ -173,22 +184,24 @@ def test_a_page_that_is_loaded_again_in_the_middle_shows_all_that_was(
     page.get_by_role("tab", name="Events").click()
     expect(page.locator(".timeline")).to_contain_text("moving to line 1")
     expect(page.locator(".timeline")).to_contain_text(SENTENCE)
+    server.may_end(EVERYTHING)
     status(page, "finished")
 
 
 def test_a_killed_server_goes_on_where_it_was_and_the_page_finds_it(
-    tmp_path: Path, window: BrowserContext
+    server: Served, window: BrowserContext
 ) -> None:
-    with served(tmp_path / "missions.db", "--pace", "1.0") as server:
-        page = window.new_page()
-        started(page, server.url, SENTENCE)
-        page.get_by_role("tab", name="Events").click()
-        expect(page.locator(".timeline")).to_contain_text("I'm at line 1")
-        server.kill()
-        server.start()
-        status(page, "finished")
-        lines = page.locator(".timeline")
-        expect(lines).to_contain_text("I'm at line 1")
-        expect(lines).to_contain_text("carried out by")
-        assert lines.inner_text().count("moving to line 1") == 1
-        expect(page.locator(".verdict.good")).not_to_have_count(0)
+    page = window.new_page()
+    started(page, server.url, SENTENCE)
+    page.get_by_role("tab", name="Events").click()
+    lines = page.locator(".timeline")
+    expect(lines).to_contain_text("moving to line 2 …")
+    server.kill()
+    server.may_end(EVERYTHING)
+    server.start()
+    status(page, "finished")
+    expect(lines).to_contain_text("carried out by")
+    told = lines.inner_text()
+    assert [told.count(f"moving to line {n}") for n in (1, 2)] == [1, 1]
+    assert SENTENCE in told
+    expect(page.locator(".verdict.good")).not_to_have_count(0)
