@@ -70,7 +70,7 @@ def wait_for(url: str, process: subprocess.Popen[bytes]) -> None:
     for _ in range(600):
         assert process.poll() is None, "the server ended"
         try:
-            urlopen(f"{url}/missions", timeout=20).close()
+            urlopen(f"{url}/missions", timeout=20).close()  # noqa: S310 - it is our own server
         except (URLError, OSError):
             time.sleep(0.1)
         else:
@@ -100,7 +100,10 @@ def browser(folder: Path, **options: object) -> Iterator[BrowserContext]:
     """A browser of its own, with nothing in it."""
     with sync_playwright() as playwright:
         context = playwright.chromium.launch_persistent_context(
-            str(folder), executable_path=CHROMIUM, args=list(FLAGS), **options
+            str(folder),
+            executable_path=CHROMIUM,
+            args=list(FLAGS),
+            **{"reduced_motion": "reduce", **options},
         )
         context.set_default_timeout(PATIENCE)
         context.set_default_navigation_timeout(PATIENCE)
@@ -129,7 +132,7 @@ def started(page: Page, url: str, sentence: str) -> str:
 
 def ask(page: Page, question: str) -> str:
     """Ask, and give the answer."""
-    answers = page.locator(".talk > li.robot > p")
+    answers = page.locator(".turns > li.robot > p")
     before = answers.count()
     page.get_by_label("Ask, or tell me something").fill(question)
     page.get_by_role("button", name="Ask", exact=True).click()

@@ -123,14 +123,14 @@ def test_a_piece_that_was_understood_as_something_else_is_corrected(
 
 def test_what_a_person_says_is_shown_and_never_run(server: Served, window: BrowserContext) -> None:
     page = window.new_page()
-    hostile = "Visit line 1 <img src=x onerror=alert(1)><script>alert(2)</script>"
+    hostile = "<img src=x onerror=alert(1)><script>alert(2)</script>"
     dialogs: list[str] = []
     page.on("dialog", lambda dialog: (dialogs.append(dialog.message), dialog.dismiss()))
-    say(page, server.url, hostile)
+    say(page, server.url, f"Visit line 1 {hostile}")
     expect(page.locator(".understood .card")).to_be_visible()
     started(page, server.url, "Visit line 2 and line 3")
-    ask(page, hostile)
-    expect(page.locator(".talk > li.person").last).to_contain_text("<script>")
+    ask(page, f"What is {hostile}?")
+    expect(page.locator(".turns > li.person").last).to_contain_text("<script>")
     assert page.locator("main img, main script").count() == 0
     assert dialogs == []
 
@@ -163,7 +163,7 @@ def test_two_browsers_see_the_same_and_one_is_told_when_the_other_commands(
     status(first, "paused")
     status(second, "paused")
     ask(second, "What did you do last?")
-    expect(first.locator(".talk")).to_contain_text("What did you do last?")
+    expect(first.locator(".turns")).to_contain_text("What did you do last?")
     first.get_by_role("button", name="Cancel …").click()
     first.get_by_role("button", name="No, leave it").click()
     first.get_by_role("button", name="Cancel …").click()
@@ -195,7 +195,7 @@ def test_a_killed_server_goes_on_where_it_was_and_the_page_finds_it(
     started(page, server.url, SENTENCE)
     page.get_by_role("tab", name="Events").click()
     lines = page.locator(".timeline")
-    expect(lines).to_contain_text("moving to line 2 …")
+    expect(lines).to_contain_text("moving to line 2")
     server.kill()
     server.may_end(EVERYTHING)
     server.start()

@@ -82,7 +82,7 @@ def _line(line: Line) -> Html:
         tag("span", _sign(sign), tag("span", word, class_="spoken-only"),
             class_=f"sort {line.sort}"),
         tag("span", tag("b", line.text), f" {line.came_of}" if line.came_of else None),
-        data_key=f"line {line.steps[0]}",
+        data_key=f"line {line.steps[0] if line.steps else line.time}",
         data_step=" ".join(map(str, line.steps)),
         class_=f"line{going}",
     )  # fmt: skip
@@ -95,7 +95,11 @@ def known(facts: Sequence[Known], now: datetime) -> Html:
         tag(
             "tr",
             tag("td", each.text),
-            tag("td", age(each.fact.time, now), title=f"step {each.fact.step}"),
+            tag(
+                "td",
+                tag("time", age(each.fact.time, now), datetime=each.fact.time),
+                title=f"step {each.fact.step}",
+            ),
             tag("td", _SOURCES[each.fact.source]),
             data_key=f"fact {each.fact.atom}",
             data_thing=" ".join(each.things),

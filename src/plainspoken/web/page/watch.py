@@ -23,18 +23,21 @@ from plainspoken.web.page.frame import (
     framed,
     tell,
 )
-from plainspoken.web.page.graph import PLENTY, graph_of, situation, walked
+from plainspoken.web.page.graph import PLENTY, Graph, graph_of, situation, walked
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
+from plainspoken.web.page.markup import Html
 from plainspoken.web.page.order import Order, order_in
 from plainspoken.web.page.policy import PolicyGraph
-from plainspoken.web.page.speech import Said, bubbles
+from plainspoken.web.page.speech import Said, bubbles, with_questions
 from plainspoken.web.page.view import View
 from plainspoken.work.shift import utc_now
 from plainspoken.world.event import Step
 
 SLOWEST = 0.1
 """Seconds between two pictures, at least: nobody sees more, and many may watch."""
+PLAYED_EVERY = 0.8
+"""Seconds between two steps of a mission that is played."""
 TABS = ("Map", "Talk", "Plan", "Events", "Known")
 
 
@@ -83,6 +86,7 @@ class Watch:
                 )
             with self._panel("known", "Known"):
                 self.known = Living().classes("scroll")
+        self.player = ui.timer(PLAYED_EVERY, self._next, active=False)
         self.show(view)
 
     def _panel(self, name: str, title: str) -> ui.element:
@@ -110,6 +114,7 @@ class Watch:
                 "input", lambda event: self._look(int(event.args)), throttle=0.05,
                 js_handler="(event) => emit(event.target.value)",
             )  # fmt: skip
+            self.playing = button("Play", self._play, "chip")
             self.live = button("Live", lambda: self._look(None), "chip")
             self.moment = Text("span", classes="when")
 
@@ -152,15 +157,34 @@ class Watch:
         policy, past, present = walked(view.moment)
         if policy is None:
             return
-        graph = graph_of(
-            policy, past, present, view.moment.lexicon, opened=self.opened, whole=self.whole
-        )
+        if self.opened or self.whole:
+            lexicon = view.moment.lexicon
+            graph = graph_of(policy, past, present, lexicon, opened=self.opened, whole=self.whole)
+        else:
+            graph = view.once(_folded)
         self.folds = graph.folds
         self.graph.show(graph.to_json())
         self.fold.set_visibility(len(policy.nodes) > PLENTY)
         if policy is not self.policy:
             self.policy = policy
-            self.rules.set_text(view.rules(policy))
+            self.rules.set_text(view.rules(policy))  # long, and the same until planned again
+
+    def _play(self) -> None:
+        """Show the mission from its beginning, or from where the slider is, step by step."""
+        if self.player.active:
+            self.player.deactivate()
+        else:
+            if self.at is None:
+                self._look(0)
+            self.player.activate()
+        self.playing.set_text("Stop" if self.player.active else "Play")
+
+    def _next(self) -> None:
+        if self.at is None:
+            self.player.deactivate()
+            self.playing.set_text("Play")
+        else:
+            self._look(self.at + 1)
 
     def _talk(self) -> None:
         self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
@@ -184,9 +208,9 @@ class Watch:
         self.doing.set_text(view.doing)
         self.map.show(view.map)
         self._draw_plan(view)
-        self.clauses.show(panels.clauses(view.clauses))
-        self.timeline.show(panels.timeline(view.lines))
-        self.known.show(panels.known(view.known, utc_now()))
+        self.clauses.show(view.once(_clauses))
+        self.timeline.show(self._timeline(view))
+        self.known.show(view.once(_known))
         self.talk.show(bubbles(self.feed.conversation.turns, view.moment.problem))
         self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
         self.slider.props(f'max="{self.feed.last}" value="{view.step}"')
@@ -197,6 +221,12 @@ class Watch:
         self.resume.set_visibility(may and view.status is Status.PAUSED)
         self.change.set_visibility(may)
         self.cancel.set_visibility(may)
+
+    def _timeline(self, view: View) -> Html:
+        turns = self.feed.conversation.turns
+        if not turns:
+            return view.once(_lines)
+        return panels.timeline(with_questions(view.lines, turns, view.step))
 
     async def follow(self) -> None:
         """Show what comes, for as long as there is somebody to see it."""
@@ -229,7 +259,8 @@ class Watch:
             tell(error)
             return
         order = None if self.view.is_over else order_in(text, answer.kind)
-        talk.add(Said(self.visitor.name, text))
+        time = utc_now().isoformat(timespec="milliseconds")
+        talk.add(Said(self.visitor.name, text, time=time, step=self._latest().step))
         if order is None or not self.visitor.may_command:
             talk.dialogues[self.visitor.name] = after
             talk.add(Said("robot", answer.text, answer))
@@ -257,3 +288,21 @@ class Watch:
     def _latest(self) -> View:
         """The mission as it is now, whatever moment of it is looked at."""
         return self.view if self.at is None else self.feed.view()
+
+
+def _clauses(view: View) -> Html:
+    return panels.clauses(view.clauses)
+
+
+def _lines(view: View) -> Html:
+    return panels.timeline(view.lines)
+
+
+def _known(view: View) -> Html:
+    return panels.known(view.known, utc_now())
+
+
+def _folded(view: View) -> Graph:
+    policy, past, present = walked(view.moment)
+    assert policy is not None  # noqa: S101 - nobody draws a plan before there is one
+    return graph_of(policy, past, present, view.moment.lexicon)

@@ -63,11 +63,13 @@ export default {
       if (!this.cy) {
         if (this.loading) return;
         this.loading = true;
+        // Not before somebody looks at a plan: it is the largest file of the page.
         const { default: cytoscape } = await import(this.library);
         this.cy = cytoscape({
           container: this.$el, style: style(), autoungrabify: true, boxSelectionEnabled: false,
-          minZoom: 0.08, maxZoom: 2, wheelSensitivity: 0.4,
+          minZoom: 0.08, maxZoom: 2,
         });
+        this.cy.on("dragpan scrollzoom pinchzoom", () => (this.free = true)); // looked at elsewhere
         this.cy.on("tap", "node", (event) => this.$emit("pick", event.target.id()));
         this.$el.cy = this.cy;
       }
@@ -91,7 +93,7 @@ export default {
       this.drawn = ids;
       const present = this.graph.nodes.find((node) => node.kind === "present")?.id;
       this.cy.resize();
-      if (first || moved || present !== this.present) this.here();
+      if (first || (!this.free && (moved || present !== this.present))) this.here();
       this.present = present;
     },
     go(what) {
@@ -100,12 +102,18 @@ export default {
     },
     here() {
       if (!this.cy) return;
+      this.free = false;
       const present = this.cy.nodes(".present");
-      if (this.cy.nodes().length < 7 || !present.length) return this.fit();
+      if (this.cy.nodes().length < 7 || !present.length) {
+        this.fit();
+        this.free = false;
+        return;
+      }
       this.cy.zoom(0.8);
       this.go(present);
     },
     fit() {
+      this.free = true;
       this.cy?.fit(undefined, 24);
       if (this.cy && this.cy.zoom() > 1) { this.cy.zoom(1); this.cy.center(); }
     },
