@@ -38,6 +38,8 @@ SLOWEST = 0.1
 """Seconds between two pictures, at least: nobody sees more, and many may watch."""
 PLAYED_EVERY = 0.8
 """Seconds between two steps of a mission that is played."""
+READ = 'tabindex="0" role="region" aria-label="{}"'
+"""What scrolls can be reached by keyboard, and has a name."""
 TABS = ("Map", "Talk", "Plan", "Events", "Known")
 
 
@@ -85,7 +87,7 @@ class Watch:
                     Living().classes("keeps-low scroll").on_pick(lambda step: self._look(int(step)))
                 )
             with self._panel("known", "Known"):
-                self.known = Living().classes("scroll")
+                self.known = Living().classes("scroll").props(READ.format("facts"))
         self.player = ui.timer(PLAYED_EVERY, self._next, active=False)
         self.show(view)
 
@@ -187,7 +189,8 @@ class Watch:
             self._look(self.at + 1)
 
     def _talk(self) -> None:
-        self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
+        self.talk = Living().classes("keeps-low scroll").props(READ.format("conversation"))
+        self.talk.props('aria-live="polite"')
         self.suggested = Living().on_pick(self._suggested)
         with ui.element("div").classes("row ask"):
             self.question = ui.input(label="Ask, or tell me something").props(
