@@ -10,7 +10,9 @@ def test_this_computer_needs_no_tokens(host: str) -> None:
     refuse_exposure(host, [], guarded=False)
 
 
-@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.168.1.2", "farm.example", "", "localhost.evil.example"])
+@pytest.mark.parametrize(
+    "host", ["0.0.0.0", "::", "192.168.1.2", "farm.example", "", "localhost.evil.example"]
+)
 def test_listening_to_more_than_this_computer_needs_tokens(host: str) -> None:
     refuse_exposure(host, [], guarded=True)
     with pytest.raises(PlainspokenError, match="could command") as caught:
