@@ -78,7 +78,7 @@ def test_whatever_is_sent_the_answer_is_one_that_was_promised(
     operation = described[path][method]
 
     @settings(
-        max_examples=15, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+        max_examples=8, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
     )
     @given(case=operation.as_strategy(generation_mode=mode))
     def tried(case: Any) -> None:
