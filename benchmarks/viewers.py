@@ -2,8 +2,8 @@
 
     python benchmarks/viewers.py [--viewers 50] [--pages 10] [--seconds 30] [--markdown]
 
-A server of its own (`plainspoken serve`) carries a mission out, there and back between two lines. So many viewers
-follow it as server-sent events; so many have its page open, each with a NiceGUI websocket. What is
+A server of its own (`plainspoken serve`) carries a mission out, there and back between two lines.
+So many viewers follow it as server-sent events; so many have its page open, each with a NiceGUI websocket. What is
 measured is the time from when an entry is dated, just before it is stored, until a viewer has read
 it, for every entry and viewer; for pages, until the next message of the server to that page after
 an entry. Server, viewers and robot share the machine's cores. Exit status 1 where the 95th
@@ -149,7 +149,7 @@ async def measured(
     viewers: list[Viewer] = []
     pages: list[list[float]] = []
     deadline = time.monotonic() + options.seconds
-    async with httpx.AsyncClient(base_url=base, limits=limits, timeout=None) as client:
+    async with httpx.AsyncClient(base_url=base, limits=limits, timeout=3600) as client:
         while time.monotonic() < deadline:
             mission = await started(client)
             mine = [Viewer() for _ in range(options.viewers)]
@@ -206,7 +206,8 @@ def main() -> None:
             "| {} | {} | {} | {:.0f} ms | {:.0f} ms | {:.0f} ms |"
             if options.markdown
             else (
-                "{}: {} at once, {} updates: {:.0f} ms (median), {:.0f} ms (95th percentile), {:.0f} ms (most)"
+                "{}: {} at once, {} updates: {:.0f} ms (median), {:.0f} ms (95th percentile), "
+                "{:.0f} ms (most)"
             )
         )
         print(form.format(name, count, len(delays), median, p95, most))
