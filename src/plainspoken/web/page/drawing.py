@@ -7,15 +7,18 @@ objects it shows as `data-thing`, by which an answer can point at it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from plainspoken.web.page.ground import Ground, Whereabouts
 from plainspoken.web.page.layout import HEIGHT, WIDTH, Mark, Point, Spot, arranged
-from plainspoken.web.page.markup import Html, joined, tag
+from plainspoken.web.page.markup import Html, tag
 from plainspoken.world.domain import GroundAction, State
 
 _TONES = ("unseen", "doubt", "good", "bad", "done", "plain")
-_ROBOT_SIZE = 22.0
+_LEAVES = (
+    *((0.08, -8.0), (0.17, 8.0), (0.33, -9.0), (0.42, 7.0)),
+    *((0.6, 8.0), (0.68, -8.0), (0.84, 7.0), (0.92, -7.0)),
+)
 
 
 @dataclass(frozen=True)
@@ -138,9 +141,7 @@ class Drawing:
         inside = self._figure(about, held)
         return self._group(f"thing {about.thing}", about.thing, inside, "thing", (x, y))
 
-    def _figure(
-        self, about: Whereabouts, held: Mapping[str, Sequence[Whereabouts]]
-    ) -> list[Html]:
+    def _figure(self, about: Whereabouts, held: Mapping[str, Sequence[Whereabouts]]) -> list[Html]:
         """A thing drawn around 0, 0: its shape by its type, its tone by what is true of it."""
         mark = self._mark(about.thing, about) or Mark("plain", "")
         shape = self._shape(about.thing)
@@ -181,7 +182,9 @@ class Drawing:
             aside = -54.0 if spot and spot.shape == "house" else 0.0
             x, y = x + aside + 58.0 * index, y + (14.0 if aside else 24.0)
             load = [e for e in held.get(robot, ()) if e.thing not in robots]
-            busy = robot in acting or (not set(acting) & set(robots) and scene.action and not number)
+            busy = robot in acting or (
+                not set(acting) & set(robots) and scene.action and not number
+            )
             inside = [tag("title", self._told(where[robot])), *_robot(number, busy=bool(busy))]
             for i, each in enumerate(load):
                 inside.append(
@@ -239,13 +242,19 @@ def legend(drawing: Drawing) -> tuple[LegendEntry, ...]:
     """What the tones mean that a layout gives."""
     layout = drawing.ground.layout
     return tuple(
-        LegendEntry(mark, layout.shapes.get(type_, "item"), f"{predicate.replace('-', ' ')} {type_}")
+        LegendEntry(
+            mark, layout.shapes.get(type_, "item"), f"{predicate.replace('-', ' ')} {type_}"
+        )
         for (type_, predicate), mark in layout.marks.items()
     )
 
 
 def _name(ground: Ground, name: str) -> str:
-    return "robot" if name == ground.lexicon.me else ground.lexicon.object_words(name).removeprefix("the ")
+    return (
+        "robot"
+        if name == ground.lexicon.me
+        else ground.lexicon.object_words(name).removeprefix("the ")
+    )
 
 
 def _trellis(at: Point, to: Point) -> list[Html]:
@@ -262,8 +271,8 @@ def _trellis(at: Point, to: Point) -> list[Html]:
     ]  # fmt: skip
     leaves = [
         tag("circle", cx=x1 + (x2 - x1) * s + d, cy=y1 + (y2 - y1) * s, r=9.0, class_="leaf")
-        for s, d in ((0.08, -8.0), (0.17, 8.0), (0.33, -9.0), (0.42, 7.0), (0.6, 8.0), (0.68, -8.0), (0.84, 7.0), (0.92, -7.0))
-    ]  # fmt: skip
+        for s, d in _LEAVES
+    ]
     return [*posts, *wires, *leaves]
 
 
@@ -272,7 +281,10 @@ def _bunch(mark: Mark) -> list[Html]:
     berries = [(-9, -8), (0, -10), (9, -8), (-5, 0), (5, 0), (0, 8)]
     return [
         tag("circle", r=22.0, class_="halo"),
-        *(tag("circle", cx=float(x), cy=float(y), r=6.5, class_=f"berry {mark.tone}") for x, y in berries),
+        *(
+            tag("circle", cx=float(x), cy=float(y), r=6.5, class_=f"berry {mark.tone}")
+            for x, y in berries
+        ),
         *([tag("text", mark.sign, class_="badge", x=17.0, y=-8.0)] if mark.sign else []),
     ]
 

@@ -87,7 +87,9 @@ async def confirmed(title: str, text: str, yes: str, *, danger: bool = False) ->
         Text("h2", title)
         Text("p", text)
         with ui.element("div").classes("row"):
-            button(yes, lambda: dialog.submit(True), "danger" if danger else "main").props("autofocus")
+            button(yes, lambda: dialog.submit(True), "danger" if danger else "main").props(
+                "autofocus"
+            )
             button("No, leave it", lambda: dialog.submit(False))
     dialog.props(f'aria-label="{title}"')
     answer = bool(await dialog)

@@ -75,8 +75,10 @@ class Ground:
             if len(arguments) != 2 or predicate in self.problem.changing_predicates:
                 continue
             first, second = arguments
-            if first != second and {first, second} & places and kinds.issuperset(
-                self.problem.objects[each] for each in arguments
+            if (
+                first != second
+                and {first, second} & places
+                and kinds.issuperset(self.problem.objects[each] for each in arguments)
             ):
                 found.append((first, second))
         return found

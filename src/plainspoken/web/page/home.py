@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
-from nicegui import run, ui
+from nicegui import ui
 
 from plainspoken.errors import PlainspokenError
+from plainspoken.language.correction import corrected
 from plainspoken.language.dialogue import Dialogue
 from plainspoken.language.example import examples
 from plainspoken.language.extracted import Extraction, Reading, Status
@@ -28,6 +32,8 @@ from plainspoken.work.shift import utc_now
 PATIENCE = 120.0
 """Seconds that planning may take; whoever waits can stop it before."""
 LONGEST = 2000
+PLANNERS = ThreadPoolExecutor(4, "planning")
+"""Apart from the threads that show things: who plans for minutes keeps nobody from watching."""
 
 
 class Say:
@@ -61,7 +67,9 @@ class Say:
                 button("Understand", self._heard, "main")
                 self.more = button("Start again", self._afresh)
                 self.more.set_visibility(False)
-            self.understood = ui.element("section").classes("understood").props('aria-live="polite"')
+            self.understood = (
+                ui.element("section").classes("understood").props('aria-live="polite"')
+            )
             self.plan = ui.element("section").classes("planning").props('aria-live="polite"')
 
     def _moved(self, place: str) -> None:
@@ -82,7 +90,7 @@ class Say:
             return
         self._stop()
         self.dialogue = Dialogue(self.site.vocabulary)
-        turn = await run.io_bound(self.dialogue.say, text)
+        turn = await asyncio.to_thread(self.dialogue.say, text)
         self.dialogue = turn.dialogue
         self._show(turn.extraction)
 
@@ -93,11 +101,12 @@ class Say:
         self.plan.clear()
         self.understood.clear()
         with self.understood, ui.element("div").classes("card"):
-            Text("h2", {"ok": "I understand", "clarify": "One question"}.get(found.status, "Not yet"))
+            Text(
+                "h2", {"ok": "I understand", "clarify": "One question"}.get(found.status, "Not yet")
+            )
             if found.referring_expressions:
-                Living(
-                    marked(found.utterance, found.referring_expressions, self.site.landmarks)
-                ).on_pick(lambda index: self._correct(found, int(index)))
+                sentence = marked(found.utterance, found.referring_expressions, self.site.landmarks)
+                Living(sentence).on_pick(lambda index: self._correct(found, int(index)))
             match found.status:
                 case Status.OK if found.reading is not None:
                     self._meaning(found, found.reading)
@@ -120,7 +129,11 @@ class Say:
             Text("code", unparse(reading.formula))
         if self.visitor.may_command:
             with ui.element("div").classes("row"):
-                button("Yes, make a plan", lambda: self._make_plan(reading.formula, found.utterance), "main")
+                button(
+                    "Yes, make a plan",
+                    lambda: self._make_plan(reading.formula, found.utterance),
+                    "main",
+                )
         else:
             Text("p", "You may look and ask here; an operator starts missions.", "note")
 
@@ -139,6 +152,30 @@ class Say:
 
     def _correct(self, found: Extraction, index: int) -> None:
         """Let somebody choose what a piece of the sentence speaks of."""
+        if found.reading is None:
+            return
+        each = found.referring_expressions[index]
+        landmarks = self.site.landmarks
+        own = landmarks[each.symbol].type if each.symbol in landmarks else None
+        options = {
+            id: one.description
+            for id, one in sorted(landmarks.items(), key=lambda item: item[1].type is not own)
+        }
+        with ui.dialog() as dialog, ui.element("div").classes("card dialog"):
+            Text("h2", f"What is “{each.text}”?")
+            meant = ui.select(options, value=each.symbol, label="It means", with_input=True)
+            meant.props("outlined")
+
+            def agreed() -> None:
+                dialog.close()
+                self._show(corrected(found, index, str(meant.value), self.site.vocabulary))
+
+            with ui.element("div").classes("row"):
+                button("Use this", agreed, "main")
+                button("Leave it", dialog.close)
+        dialog.props('aria-label="what a piece of the sentence means"')
+        dialog.on_value_change(lambda event: None if event.value else dialog.delete())
+        dialog.open()
 
     def _what_can_be_said(self) -> None:
         some = [each.description for each in self.site.landmarks.values()][:12]
@@ -161,10 +198,11 @@ class Say:
             button("Stop planning", stopped.set)
             timer = ui.timer(0.3, lambda: told.set_text(_so_far(self.progress)))
         try:
-            ending = await run.io_bound(
+            plan = partial(
                 self.house.desk.plan, self.place, goal,
                 timeout=PATIENCE, stopped=stopped, on_progress=self._progressed,
             )  # fmt: skip
+            ending: Ending | None = await asyncio.get_running_loop().run_in_executor(PLANNERS, plan)
         except PlanningStopped:
             ending = None
         except PlainspokenError as error:
@@ -206,16 +244,16 @@ class Say:
         else:
             ui.navigate.to(f"/missions/{mission}")
 
-    def _impossible(
-        self, ending: Unsolvable | OutOfTime, goal: Formula, sentence: str
-    ) -> None:
+    def _impossible(self, ending: Unsolvable | OutOfTime, goal: Formula, sentence: str) -> None:
         Text("h2", "That cannot be done")
         Text("p", why_not(ending, self.site), "refusal")
         if isinstance(ending, OutOfTime):
             button("Try for longer", lambda: self._make_plan(goal, sentence))
             return
         parts = parts_of(goal)
-        in_the_way = getattr(ending.reason, "parts", None) or (getattr(ending.reason, "part", None),)
+        in_the_way = getattr(ending.reason, "parts", None) or (
+            getattr(ending.reason, "part", None),
+        )
         changes = [(part, conjunction(*(p for p in parts if p != part)))
                    for part in in_the_way if part in parts and len(parts) > 1]  # fmt: skip
         if changes:

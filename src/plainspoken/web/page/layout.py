@@ -84,7 +84,9 @@ def layout_from_json(document: object, path: Path | str) -> Layout:
         given = _object(entry, path, f"types.{type_}")
         if "shape" in given:
             shapes[type_] = str(given["shape"])
-        for predicate, mark in _object(given.get("marks", {}), path, f"types.{type_}.marks").items():
+        for predicate, mark in _object(
+            given.get("marks", {}), path, f"types.{type_}.marks"
+        ).items():
             marks[type_, predicate] = _mark(mark, path, f"types.{type_}.marks.{predicate}")
     keeps = _object(top.get("keeps", {}), path, "keeps")
     return Layout(places, shapes, marks, {name: str(keeper) for name, keeper in keeps.items()})
@@ -128,9 +130,7 @@ def _point(value: object, path: Path | str, where: str) -> Point:
 
 def _object(value: object, path: Path | str, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
-        raise InputFileError(
-            f"expected an object, got {type(value).__name__}", path, field=where
-        )
+        raise InputFileError(f"expected an object, got {type(value).__name__}", path, field=where)
     return value
 
 

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import asyncio
 
-from nicegui import run
-
 from plainspoken.web.desk import Desk
 from plainspoken.web.page import panels
 from plainspoken.web.page.frame import House, Text, Visitor, framed
 from plainspoken.web.page.living import Living
 from plainspoken.web.page.markup import Html, tag
+from plainspoken.web.page.view import age
 from plainspoken.work.shift import utc_now
 
 AGAIN = 1.0
@@ -28,13 +27,13 @@ class Overview:
         """Lay the page out."""
         with framed(self.visitor, "say"):
             Text("h1", "Missions")
-            self.list = Living(await run.io_bound(listed, self.house.desk))
+            self.list = Living(await asyncio.to_thread(listed, self.house.desk))
 
     async def follow(self) -> None:
         """Show what comes."""
         while True:
             await asyncio.sleep(AGAIN)
-            self.list.show(await run.io_bound(listed, self.house.desk))
+            self.list.show(await asyncio.to_thread(listed, self.house.desk))
 
 
 def listed(desk: Desk) -> Html:
@@ -42,7 +41,9 @@ def listed(desk: Desk) -> Html:
     found = desk.missions()
     cards = [_card(desk, mission) for mission in reversed(found[-MOST:])]
     if not cards:
-        return tag("p", "There are no missions yet. ", tag("a", "Say what should be done", href="/"))
+        return tag(
+            "p", "There are no missions yet. ", tag("a", "Say what should be done", href="/")
+        )
     return tag("ul", *cards, class_="missions")
 
 
@@ -56,7 +57,7 @@ def _card(desk: Desk, id: str) -> Html:
         "li",
         tag("a", title, href=f"/missions/{id}"),
         tag("span", panels.status(mission.status),
-            f" {panels.age(entries[-1].time, utc_now())} ago" if mission.is_over else None),
+            f" {age(entries[-1].time, utc_now())} ago" if mission.is_over else None),
         tag("p", trouble, class_="refusal") if trouble else None,
         class_="card",
         data_key=id,

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
+from typing import Any
 
 from fastapi import Request
-from nicegui import Client, run, ui
+from nicegui import Client, ui
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.web.page.frame import House, Text, Visitor, framed, share_assets
@@ -35,7 +36,7 @@ def open_pages(house: House, visitor_of: VisitorOf) -> None:
     async def mission(request: Request, client: Client, mission: str) -> None:
         visitor = visitor_of(request)
         try:
-            feed = await run.io_bound(house.feeds.of, mission)
+            feed = await asyncio.to_thread(house.feeds.of, mission)
         except PlainspokenError as error:
             client.status_code = 404
             with framed(visitor, "say"):
@@ -43,12 +44,12 @@ def open_pages(house: House, visitor_of: VisitorOf) -> None:
                 Text("a", "All missions").props('href="/missions"')
             return
         watch = Watch(house, visitor, feed)
-        watch.build(await run.io_bound(feed.view))
+        watch.build(await asyncio.to_thread(feed.view))
         client.on_delete(feed.watch(watch.news.set))
         _kept_up(client, watch.follow)
 
 
-def _kept_up(client: Client, follow: Callable[[], object]) -> None:
+def _kept_up(client: Client, follow: Callable[[], Coroutine[Any, Any, None]]) -> None:
     """Run something for as long as a browser has the page open."""
-    task = asyncio.create_task(follow())  # type: ignore[arg-type]
+    task = asyncio.create_task(follow())
     client.on_delete(task.cancel)

@@ -79,9 +79,10 @@ def _line(line: Line) -> Html:
         "li",
         tag("button", _clock(line.time), type="button", class_="moment", data_pick=str(line.step),
             aria_label=f"show how it was at {_clock(line.time)}, step {line.step}"),
-        tag("span", _sign(sign), tag("span", word, class_="spoken-only"), class_=f"sort {line.sort}"),
+        tag("span", _sign(sign), tag("span", word, class_="spoken-only"),
+            class_=f"sort {line.sort}"),
         tag("span", tag("b", line.text), f" {line.came_of}" if line.came_of else None),
-        data_key=f"line {line.steps[0]}",
+        data_key=f"line {line.steps[0] if line.steps else line.time}",
         data_step=" ".join(map(str, line.steps)),
         class_=f"line{going}",
     )  # fmt: skip
@@ -94,7 +95,11 @@ def known(facts: Sequence[Known], now: datetime) -> Html:
         tag(
             "tr",
             tag("td", each.text),
-            tag("td", age(each.fact.time, now), title=f"step {each.fact.step}"),
+            tag(
+                "td",
+                tag("time", age(each.fact.time, now), datetime=each.fact.time),
+                title=f"step {each.fact.step}",
+            ),
             tag("td", _SOURCES[each.fact.source]),
             data_key=f"fact {each.fact.atom}",
             data_thing=" ".join(each.things),
@@ -110,8 +115,7 @@ def legend(entries: Sequence[LegendEntry]) -> Html:
     return tag(
         "ul",
         *(
-            tag("li", tag("span", each.mark.sign, class_=f"dot {each.mark.tone}", aria_hidden="true"),
-                each.words)
+            tag("li", _sign(each.mark.sign, f"dot {each.mark.tone}"), each.words)
             for each in entries
         ),
         class_="legend",
@@ -132,14 +136,12 @@ def buttons(texts: Sequence[str], label: str, kind: str = "chip") -> Html:
     )
 
 
-def _sign(sign: str) -> Html:
-    return tag("span", sign, aria_hidden="true", class_="sign")
+def _sign(sign: str, classes: str = "sign") -> Html:
+    return tag("span", sign, aria_hidden="true", class_=classes)
 
 
 def _clock(time: str) -> str:
     return datetime.fromisoformat(time).astimezone().strftime("%H:%M:%S")
-
-
 
 
 def tabs(names: Sequence[str]) -> Html:
@@ -153,4 +155,22 @@ def tabs(names: Sequence[str]) -> Html:
         ),
         role="tablist",
         aria_label="parts of this page",
+    )  # fmt: skip
+
+
+def graph_legend() -> Html:
+    """What the shapes of a plan mean."""
+    words = {
+        "past": "was done",
+        "present": "now",
+        "future": "may come",
+        "missed": "can come no more",
+        "stop": "done",
+        "fold": "several, opens",
+    }
+    return tag(
+        "ul",
+        *(tag("li", tag("span", class_=f"box {kind}", aria_hidden="true"), said)
+          for kind, said in words.items()),
+        class_="legend",
     )  # fmt: skip

@@ -5,21 +5,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from plainspoken.questions.chronicle import Line
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.web.page.markup import Html, tag
 from plainspoken.world.domain import Problem
+from plainspoken.world.event import Step
 
 MOST_TURNS = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """One thing that was said. answer: where the mission said it, what that rests on."""
+    """One thing that was said, at a time and a step of the log.
+
+    answer: where the mission said it, what that rests on
+    """
 
     who: str
     text: str
     answer: Answer | None = None
+    time: str = ""
+    step: Step = 0
 
 
 @dataclass
@@ -35,9 +42,19 @@ class Conversation:
         del self.turns[:-MOST_TURNS]
 
 
+def with_questions(lines: Sequence[Line], turns: Sequence[Said], last: Step) -> list[Line]:
+    """The lines of a log, and among them what people said of it up to a step."""
+    asked = [
+        Line(each.step, (), each.time, 0, "person", f'{each.who} said: "{each.text}"')
+        for each in turns
+        if each.answer is None and each.time and each.step <= last
+    ]
+    return sorted([*lines, *asked], key=lambda line: (line.going, line.time)) if asked else [*lines]
+
+
 def bubbles(turns: Sequence[Said], problem: Problem) -> Html:
     """A conversation, in which an answer points at what it rests on."""
-    return tag("ol", *(_bubble(i, each, problem) for i, each in enumerate(turns)), class_="talk")
+    return tag("ol", *(_bubble(i, each, problem) for i, each in enumerate(turns)), class_="turns")
 
 
 def _bubble(number: int, said: Said, problem: Problem) -> Html:

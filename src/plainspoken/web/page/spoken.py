@@ -11,7 +11,11 @@ from plainspoken.web.page.markup import Html, tag
 from plainspoken.world.landmark import Landmarks, LandmarkType
 
 _BEAD, _ROW = 112.0, 46.0
-_SIGNS = {LandmarkType.LOCATION: "stop", LandmarkType.CONDITION: "fact", LandmarkType.ACTION: "deed"}
+_SIGNS = {
+    LandmarkType.LOCATION: "stop",
+    LandmarkType.CONDITION: "fact",
+    LandmarkType.ACTION: "deed",
+}
 
 
 def marked(

@@ -6,22 +6,27 @@ the same code. All words come from `questions`; here they are only put in order.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
+from typing import Any, TypeVar
 
 from plainspoken.automata.verdict import Verdict
 from plainspoken.knowledge.facts import Fact, Facts, facts_after
 from plainspoken.logic.english import say
 from plainspoken.logic.formula import conjunction
 from plainspoken.mission.mission import Status
+from plainspoken.planning.diagram import rules
+from plainspoken.planning.policy import Policy
 from plainspoken.questions.chronicle import Line, chronicle
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import sentence
 from plainspoken.web.page.drawing import Drawing, Scene
 from plainspoken.web.page.markup import Html
 from plainspoken.world.event import ChangeRequested, Entry, Step
+
+Made = TypeVar("Made")
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +53,14 @@ class View:
         self.moment = Moment(entries, at)
         self.entries = self.moment.entries
         self.drawing = drawing
+        self._made: dict[Callable[[View], Any], Any] = {}
+
+    def once(self, make: Callable[[View], Made]) -> Made:
+        """What is made of this view, made once for all who look at it."""
+        if make not in self._made:
+            self._made[make] = make(self)
+        made: Made = self._made[make]
+        return made
 
     @property
     def step(self) -> Step:
@@ -120,6 +133,15 @@ class View:
                 return entry.event
         return None
 
+    def rules(self, policy: Policy) -> str:
+        """What a policy does when, in words."""
+        lexicon = self.moment.lexicon
+        return rules(
+            policy,
+            action=lambda action: lexicon.deed(action).bare,
+            atom=lambda atom: lexicon.clause(atom).said(),
+        )
+
     @cached_property
     def facts(self) -> Facts:
         return facts_after(self.entries)
@@ -144,6 +166,8 @@ class View:
         """Questions that fit the moment."""
         moment, lexicon = self.moment, self.moment.lexicon
         deeds = [each.action for each in moment.happenings]
+        if self.status is Status.PLANNING:
+            return ("Where are you?",)
         if self.is_over:
             found = ["What did you do?", "Did you do everything I asked for?"]
         elif moment.started is not None:

@@ -3,25 +3,41 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Mapping
 
-from nicegui import run, ui
+from nicegui import ui
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.mission.mission import Status
+from plainspoken.planning.policy import NodeId, Policy
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.web.page import panels
+from plainspoken.web.page.commands import Commands
 from plainspoken.web.page.drawing import legend
-from plainspoken.web.page.frame import House, Text, Visitor, button, confirmed, framed, tell
+from plainspoken.web.page.frame import (
+    ASSETS,
+    House,
+    Text,
+    Visitor,
+    button,
+    framed,
+    tell,
+)
+from plainspoken.web.page.graph import PLENTY, Graph, graph_of, situation, walked
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
-from plainspoken.web.page.speech import Said, bubbles
+from plainspoken.web.page.markup import Html
+from plainspoken.web.page.order import Order, order_in
+from plainspoken.web.page.policy import PolicyGraph
+from plainspoken.web.page.speech import Said, bubbles, with_questions
 from plainspoken.web.page.view import View
 from plainspoken.work.shift import utc_now
 from plainspoken.world.event import Step
 
 SLOWEST = 0.1
 """Seconds between two pictures, at least: nobody sees more, and many may watch."""
+PLAYED_EVERY = 0.8
+"""Seconds between two steps of a mission that is played."""
 TABS = ("Map", "Talk", "Plan", "Events", "Known")
 
 
@@ -32,8 +48,13 @@ class Watch:
         self.house, self.visitor, self.feed = house, visitor, feed
         self.desk = house.desk
         self.mission = feed.mission
+        self.commands = Commands(self.desk, self.mission, visitor, self._latest)
         self.at: Step | None = None
         self.news = asyncio.Event()
+        self.opened: frozenset[NodeId] = frozenset()
+        self.whole = False
+        self.folds: Mapping[str, frozenset[NodeId]] = {}
+        self.policy: Policy | None = None
 
     # -- layout --------------------------------------------------------------------------------
 
@@ -58,27 +79,31 @@ class Watch:
                 with self._panel("talk", "Talk"):
                     self._talk()
             with self._panel("plan", "Plan"):
-                self.plan = Living()
+                self._plan()
             with self._panel("events", "Events"):
-                self.timeline = Living().classes("keeps-low scroll").on_pick(
-                    lambda step: self._look(int(step))
+                self.timeline = (
+                    Living().classes("keeps-low scroll").on_pick(lambda step: self._look(int(step)))
                 )
             with self._panel("known", "Known"):
                 self.known = Living().classes("scroll")
+        self.player = ui.timer(PLAYED_EVERY, self._next, active=False)
         self.show(view)
 
     def _panel(self, name: str, title: str) -> ui.element:
-        found = ui.element("section").classes(f"card panel {name}").props(
-            f'id="{name}" aria-labelledby="{name}-title"'
+        found = (
+            ui.element("section")
+            .classes(f"card panel {name}")
+            .props(f'id="{name}" aria-labelledby="{name}-title"')
         )
         with found:
             Text("h2", title).props(f'id="{name}-title"')
         return found
 
     def _controls(self) -> None:
-        self.pause = button("Pause", self._command(self.desk.pause))
-        self.resume = button("Go on", self._command(self.desk.resume), "main")
-        self.cancel = button("Cancel …", self._cancel, "danger")
+        self.pause = button("Pause", self.commands.pause)
+        self.resume = button("Go on", self.commands.resume, "main")
+        self.change = button("Change …", self.commands.change)
+        self.cancel = button("Cancel …", self.commands.cancel, "danger")
 
     def _slider(self) -> None:
         with ui.element("div").classes("row replay"):
@@ -89,8 +114,77 @@ class Watch:
                 "input", lambda event: self._look(int(event.args)), throttle=0.05,
                 js_handler="(event) => emit(event.target.value)",
             )  # fmt: skip
+            self.playing = button("Play", self._play, "chip")
             self.live = button("Live", lambda: self._look(None), "chip")
             self.moment = Text("span", classes="when")
+
+    def _plan(self) -> None:
+        graph = PolicyGraph(f"{ASSETS}/cytoscape/cytoscape.esm.min.mjs", self._situation)
+        self.graph = graph
+        with ui.element("div").classes("row") as row:
+            search = ui.input(label="Find in the plan").props("outlined dense clearable")
+            search.on_value_change(lambda event: graph.find(event.value or ""))
+            button("Now", graph.here, "chip")
+            button("Fit", graph.fit, "chip")
+            self.fold = button("Show all", self._unfold, "chip")
+        row.move(target_index=1)
+        Living(panels.graph_legend())
+        self.situation = Text("p", "Choose a box to see what it is about.", "note").props(
+            'aria-live="polite"'
+        )
+        with ui.element("details"):
+            Text("summary", "The plan in words")
+            self.rules = Text("pre", classes="rules").props('tabindex="0"')
+
+    def _unfold(self) -> None:
+        self.whole = not self.whole
+        self.opened = frozenset()
+        self.fold.set_text("Fold" if self.whole else "Show all")
+        self.news.set()
+
+    def _situation(self, picked: str) -> None:
+        """Tell what a box of the plan is about, or open one that holds several."""
+        policy, _, _ = walked(self.view.moment)
+        if policy is None:
+            return
+        if picked in self.folds:
+            self.opened |= {min(self.folds[picked])}
+            self.news.set()
+        elif picked.isdigit() and int(picked) in policy.by_id:
+            self.situation.set_text(situation(policy, int(picked), self.view.moment))
+
+    def _draw_plan(self, view: View) -> None:
+        policy, past, present = walked(view.moment)
+        if policy is None:
+            return
+        if self.opened or self.whole:
+            lexicon = view.moment.lexicon
+            graph = graph_of(policy, past, present, lexicon, opened=self.opened, whole=self.whole)
+        else:
+            graph = view.once(_folded)
+        self.folds = graph.folds
+        self.graph.show(graph.to_json())
+        self.fold.set_visibility(len(policy.nodes) > PLENTY)
+        if policy is not self.policy:
+            self.policy = policy
+            self.rules.set_text(view.rules(policy))  # long, and the same until planned again
+
+    def _play(self) -> None:
+        """Show the mission from its beginning, or from where the slider is, step by step."""
+        if self.player.active:
+            self.player.deactivate()
+        else:
+            if self.at is None:
+                self._look(0)
+            self.player.activate()
+        self.playing.set_text("Stop" if self.player.active else "Play")
+
+    def _next(self) -> None:
+        if self.at is None:
+            self.player.deactivate()
+            self.playing.set_text("Play")
+        else:
+            self._look(self.at + 1)
 
     def _talk(self) -> None:
         self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
@@ -113,52 +207,38 @@ class Watch:
         self.status.show(panels.status(view.status))
         self.doing.set_text(view.doing)
         self.map.show(view.map)
-        self.clauses.show(panels.clauses(view.clauses))
-        self.timeline.show(panels.timeline(view.lines))
-        self.known.show(panels.known(view.known, utc_now()))
+        self._draw_plan(view)
+        self.clauses.show(view.once(_clauses))
+        self.timeline.show(self._timeline(view))
+        self.known.show(view.once(_known))
         self.talk.show(bubbles(self.feed.conversation.turns, view.moment.problem))
         self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
-        self.slider.props(f'max="{self.feed.last}"')
-        self.slider._props["value"] = str(view.step)
-        self.slider.update()
+        self.slider.props(f'max="{self.feed.last}" value="{view.step}"')
         self.moment.set_text(f"step {view.step} of {self.feed.last}" if past else "live")
         self.live.set_visibility(past)
         may = self.visitor.may_command and not view.is_over
         self.pause.set_visibility(may and view.status is not Status.PAUSED)
         self.resume.set_visibility(may and view.status is Status.PAUSED)
+        self.change.set_visibility(may)
         self.cancel.set_visibility(may)
+
+    def _timeline(self, view: View) -> Html:
+        turns = self.feed.conversation.turns
+        if not turns:
+            return view.once(_lines)
+        return panels.timeline(with_questions(view.lines, turns, view.step))
 
     async def follow(self) -> None:
         """Show what comes, for as long as there is somebody to see it."""
         while True:
             await self.news.wait()
             self.news.clear()
-            self.show(await run.io_bound(self.feed.view, self.at))
+            self.show(await asyncio.to_thread(self.feed.view, self.at))
             await asyncio.sleep(SLOWEST)
 
     def _look(self, at: Step | None) -> None:
         self.at = None if at is None or at >= self.feed.last else at
         self.news.set()
-
-    # -- commands ------------------------------------------------------------------------------
-
-    def _command(self, command: Callable[[str, str], None]) -> Callable[[], Awaitable[None]]:
-        async def pressed() -> None:
-            try:
-                await run.io_bound(command, self.mission, self.visitor.name)
-            except PlainspokenError as error:
-                tell(error)
-
-        return pressed
-
-    async def _cancel(self) -> None:
-        if await confirmed(
-            "Cancel this mission?",
-            f"“{self.view.title}” is given up for good. What was done stays done.",
-            "Yes, cancel it",
-            danger=True,
-        ):
-            await self._command(self.desk.cancel)()
 
     # -- talk ----------------------------------------------------------------------------------
 
@@ -174,10 +254,55 @@ class Watch:
         talk = self.feed.conversation
         dialogue = talk.dialogues.get(self.visitor.name, Dialogue())
         try:
-            answer, after = await run.io_bound(dialogue.ask, text, self.view.moment)
+            answer, after = await asyncio.to_thread(dialogue.ask, text, self.view.moment)
         except PlainspokenError as error:
             tell(error)
             return
-        talk.dialogues[self.visitor.name] = after
-        talk.add(Said(self.visitor.name, text), Said("robot", answer.text, answer))
+        order = None if self.view.is_over else order_in(text, answer.kind)
+        time = utc_now().isoformat(timespec="milliseconds")
+        talk.add(Said(self.visitor.name, text, time=time, step=self._latest().step))
+        if order is None or not self.visitor.may_command:
+            talk.dialogues[self.visitor.name] = after
+            talk.add(Said("robot", answer.text, answer))
+        else:
+            reply = await self._ordered(order, text)
+            talk.add(*([Said("robot", reply)] if reply else ()))
         self.feed.tell()
+
+    async def _ordered(self, order: Order, text: str) -> str | None:
+        """Do what somebody said should be done, once they confirm it."""
+        self.feed.tell()
+        match order:
+            case "report":
+                return await self.commands.report(text)
+            case "pause":
+                await self.commands.pause()
+            case "resume":
+                await self.commands.resume()
+            case "cancel":
+                await self.commands.cancel()
+            case "change":
+                await self.commands.change(text)
+        return None
+
+    def _latest(self) -> View:
+        """The mission as it is now, whatever moment of it is looked at."""
+        return self.view if self.at is None else self.feed.view()
+
+
+def _clauses(view: View) -> Html:
+    return panels.clauses(view.clauses)
+
+
+def _lines(view: View) -> Html:
+    return panels.timeline(view.lines)
+
+
+def _known(view: View) -> Html:
+    return panels.known(view.known, utc_now())
+
+
+def _folded(view: View) -> Graph:
+    policy, past, present = walked(view.moment)
+    assert policy is not None  # noqa: S101 - nobody draws a plan before there is one
+    return graph_of(policy, past, present, view.moment.lexicon)

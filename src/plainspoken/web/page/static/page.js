@@ -55,6 +55,15 @@
     choose(next.dataset.tab, { focus: true });
   });
 
+  // How old things are, counted on by the browser's own clock.
+  setInterval(() => {
+    for (const time of document.querySelectorAll("time[datetime]")) {
+      const seconds = Math.max(0, (Date.now() - Date.parse(time.dateTime)) / 1000);
+      const [size, unit] = [[86400, "d"], [3600, "h"], [60, "min"], [1, "s"]].find(([s]) => seconds >= s) ?? [1, "s"];
+      time.textContent = `${Math.round(seconds / size)} ${unit}`;
+    }
+  }, 5000);
+
   new MutationObserver((_, observer) => {
     const main = document.querySelector("main.mission");
     if (!main || !document.querySelector("[role=tab]")) return;
