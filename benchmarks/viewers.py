@@ -4,11 +4,10 @@
 
 A server of its own (`plainspoken serve`) carries a mission out, there and back between two lines.
 So many viewers follow it as server-sent events; so many have its page open, each with a NiceGUI
-websocket. What is
-measured is the time from when an entry is dated, just before it is stored, until a viewer has read
-it, for every entry and viewer; for pages, until the next message of the server to that page after
-an entry. Server, viewers and robot share the machine's cores. Exit status 1 where the 95th
-percentile of the events is 500 ms or more, or a viewer missed an entry.
+websocket. What is measured is the time from when an entry is dated, just before it is stored, until
+a viewer has read it, for every entry and viewer; for pages, until the next message of the server to
+that page after an entry. Server, viewers and robot share the machine's cores. Exit status 1 where
+the 95th percentile of the events is 500 ms or more, or a viewer missed an entry.
 """
 
 from __future__ import annotations
