@@ -24,6 +24,7 @@ from plainspoken.web.api import Office, create_api
 from plainspoken.web.api.application import PREFIX
 from plainspoken.web.desk import Desk
 from plainspoken.web.gate import Gate
+from plainspoken.web.rate import Rates
 from plainspoken.world.event import Entry
 
 SITE = Site(PROBLEM, DOMAIN_TEXT, PROBLEM_TEXT)
@@ -74,13 +75,11 @@ class Bench:
         return self.desk.start("vineyard", Request(mission, goal), ending.policy)
 
 
-def bench(desk: Desk, access: Access, page: ASGIApp | None = None) -> Bench:
-    """A server at a desk; page: what is served beside the interface for programs."""
-    office = Office(desk)
-    routes = [Mount(PREFIX, create_api(office))]
-    if page is not None:
-        routes.append(Mount("/", page))
-    app = Gate(Starlette(routes=routes), access, Names.of("127.0.0.1"))
+def bench(desk: Desk, access: Access, rates: Rates | None = None) -> Bench:
+    """A server at a desk."""
+    office = Office(desk, rates=rates)
+    inside = Starlette(routes=[Mount(PREFIX, create_api(office))])
+    app = Gate(inside, access, Names.of("127.0.0.1", ["testserver"]), rates=rates)
     return Bench(desk, office, access, app)
 
 

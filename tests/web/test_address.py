@@ -3,6 +3,8 @@ import pytest
 from plainspoken.errors import PlainspokenError
 from plainspoken.web.address import Names, at, is_loopback, is_same_origin, refuse_exposure
 
+WIDE = "0.0.0.0"  # noqa: S104 - nothing listens there
+
 
 @pytest.mark.parametrize("host", ["127.0.0.1", "127.8.0.1", "localhost", "LOCALHOST", "::1"])
 def test_this_computer_needs_no_tokens(host: str) -> None:
@@ -11,7 +13,7 @@ def test_this_computer_needs_no_tokens(host: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "host", ["0.0.0.0", "::", "192.168.1.2", "farm.example", "", "localhost.evil.example"]
+    "host", [WIDE, "::", "192.168.1.2", "farm.example", "", "localhost.evil.example"]
 )
 def test_listening_to_more_than_this_computer_needs_tokens(host: str) -> None:
     refuse_exposure(host, [], guarded=True)
@@ -40,7 +42,7 @@ def test_other_names_are_not_ours(host: str | None) -> None:
 
 
 def test_a_wide_server_answers_to_addresses_and_given_names() -> None:
-    names = Names.of("0.0.0.0", ["farm.example"])
+    names = Names.of(WIDE, ["farm.example"])
     assert all(map(names.cover, ["192.168.1.2:8765", "[fe80::1]", "farm.example", "localhost"]))
     assert not names.cover("evil.example")
 

@@ -21,9 +21,10 @@ COMMANDS = {
     "ask": "Ask what a robot is doing, has done, will do, and why.",
     "serve": "Open the page: say what should be done, watch it, ask about it.",
     "token": "Make a token for somebody who may look, or command, over the network.",
+    "report": "Tell a mission what you did or saw.",
     "answer": "Answer what a mission asks of people.",
     "eval": "Measure how well sentences are understood, and how true answers are.",
-    "missions": "List missions; pause, resume or cancel one; write its log.",
+    "missions": "List missions; pause, resume, cancel or change one; write its log.",
     "doctor": "See what is installed, and which symbols a problem has.",
 }
 

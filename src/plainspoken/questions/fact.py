@@ -77,8 +77,8 @@ def age(draft: Draft, atom: GroundAtom) -> str:
         case ActionFinished(action=action):
             deed = moment.lexicon.deed(action)
             return f", since {deed.subject} {deed.did} {when}"
-        case ReportReceived():
-            return f", as I was told {when}"
+        case ReportReceived(reporter=reporter):
+            return f", as {reporter} reported {when}"
         case ObservationMade():
             return f", as I saw {when}"
         case _:

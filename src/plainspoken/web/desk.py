@@ -37,6 +37,7 @@ from plainspoken.pipeline import (
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
+from plainspoken.questions.conversation import Conversation, Said, message_of
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.moment import Moment
 from plainspoken.work.shift import TICK, robots_of, utc_now
@@ -289,6 +290,18 @@ class Desk:
         """Answer a question about a mission; also the dialogue after it."""
         moment = Moment(self.log(mission), at)
         return (dialogue or Dialogue()).ask(text, moment, full=full)
+
+    def say(
+        self, mission: MissionId, text: str, by: str, conversation: Conversation | None = None
+    ) -> Said:
+        """Take a question, a report or a change of mind; what is agreed to, the mission is told.
+
+        by: who says it
+        """
+        said = (conversation or Conversation()).say(text, Moment(self._entries(mission)))
+        if said.agreed is not None:
+            self._ask_of(mission, message_of(said.agreed, by))
+        return said
 
     # -- watching ------------------------------------------------------------------------------
 

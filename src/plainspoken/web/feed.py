@@ -12,6 +12,7 @@ import json
 import threading
 from collections import deque
 from collections.abc import AsyncIterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from plainspoken.knowledge.database import StoreError
@@ -70,11 +71,13 @@ class Feed:
     def __init__(self, desk: Desk) -> None:
         self._desk = desk
         self._channels: dict[MissionId, _Channel] = {}
-        self._closed = asyncio.Event()
+        self._closed = False
 
     def close(self) -> None:
         """Have everyone who watches see an end."""
-        self._closed.set()
+        self._closed = True
+        for channel in self._channels.values():
+            channel.news.set()
 
     async def follow(
         self, mission: MissionId, since: Step = 0, *, patience: float = 15.0
@@ -85,7 +88,7 @@ class Feed:
         """
         channel = self._joined(mission, since)
         try:
-            while not self._closed.is_set():
+            while not self._closed:
                 news = channel.news
                 lines = await self._lines(mission, channel, since)
                 if not lines:
@@ -110,12 +113,9 @@ class Feed:
     async def _waited(
         self, channel: _Channel, news: asyncio.Event, since: Step, patience: float
     ) -> list[Line]:
-        waiting = {asyncio.ensure_future(each.wait()) for each in (news, self._closed)}
-        try:
-            await asyncio.wait(waiting, timeout=patience, return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            for each in waiting:
-                each.cancel()
+        with suppress(TimeoutError):
+            async with asyncio.timeout(patience):
+                await news.wait()
         return (channel.since(since) or [])[:MOST_AT_ONCE] if since < channel.length else []
 
     def _joined(self, mission: MissionId, since: Step) -> _Channel:

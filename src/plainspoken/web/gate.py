@@ -128,16 +128,17 @@ class Gate:
     def _stranger(self, scope: Scope) -> Response | None:
         """A refusal of what came by another name, or from the page of somebody else."""
         headers = Headers(scope=scope)
-        host = headers.get("host")
+        hosts, origins = headers.getlist("host"), headers.getlist("origin")
+        host = hosts[0] if len(hosts) == 1 else None  # who says two things hides one of them
         if not self._names.cover(host):
             return _forbidden(
                 "this server is not called by that name",
-                f"Host: {host}",
+                f"Host: {', '.join(hosts)}",
                 "use the address that it prints, or start it with --name for a name of yours",
             )
-        origin = headers.get("origin")
-        if origin is not None and not is_same_origin(origin, host):
-            return _forbidden("the page of another site asks", f"Origin: {origin}", None)
+        foreign = [origin for origin in origins if not is_same_origin(origin, host)]
+        if foreign:
+            return _forbidden("the page of another site asks", f"Origin: {foreign[0]}", None)
         crossed = headers.get("sec-fetch-site") == "cross-site"
         if crossed and not (
             headers.get("sec-fetch-mode") == "navigate" and scope.get("method") in ("GET", "HEAD")

@@ -26,6 +26,13 @@ SLOWEST = 30.0
 """Seconds in which a client has to take what it is sent."""
 
 
+_SENT = {
+    "type": "object",
+    "properties": {each: {"type": "string"} for each in ("id", "event", "data")},
+    "required": ["id", "event", "data"],
+}
+
+
 @router.get("/missions/{mission:path}/events")
 def events(
     mission: MissionName,
@@ -48,7 +55,7 @@ def events(
     responses={
         200: {
             "description": "Server-sent events: `id` is the step, `event` the kind of the entry.",
-            "content": {"text/event-stream": {"schema": {"type": "string"}}},
+            "content": {"text/event-stream": {"schema": _SENT}},
         },
         204: {"description": "The mission is over, and you have seen all of it."},
     },
