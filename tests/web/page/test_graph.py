@@ -10,7 +10,7 @@ from tests.mission.small_vineyard import PROBLEM
 
 from plainspoken.planning.policy import Policy, PolicyNode
 from plainspoken.questions.lexicon import Lexicon
-from plainspoken.web.page.graph import PLENTY, graph_of, kinds_of
+from plainspoken.web.page.graph import PLENTY, graph_of, kinds_of, naming
 
 LEXICON = Lexicon(PROBLEM, {})
 
@@ -97,3 +97,9 @@ def test_every_node_is_drawn_once_or_folded_once_and_nothing_lies_upon_another(
     assert len({(v.x, v.y) for v in graph.vertices}) == len(graph.vertices)
     if present is not None:
         assert str(present) in drawn
+
+
+def test_a_situation_is_found_by_the_words_of_what_is_done_there() -> None:
+    assert naming(FORK, "Move", LEXICON) == [0, 1, 2]
+    assert naming(FORK, "done", LEXICON) == [3]
+    assert naming(FORK, "harvest", LEXICON) == []

@@ -212,6 +212,12 @@ def _label(action: str | None, lexicon: Lexicon) -> str:
     return "done" if action is None else lexicon.deed(action).bare
 
 
+def naming(policy: Policy, words: str, lexicon: Lexicon) -> list[NodeId]:
+    """The nodes whose label has some words."""
+    asked = words.strip().lower()
+    return [node.id for node in policy.nodes if asked in _label(node.action, lexicon).lower()]
+
+
 def _layered(names: Sequence[Shown], arrows: Iterable[Arrow]) -> dict[Shown, tuple[float, float]]:
     """A spot for each: across by how many steps it is from the first, down by its neighbours."""
     after: dict[Shown, list[Shown]] = {name: [] for name in names}

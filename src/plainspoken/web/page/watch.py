@@ -24,7 +24,7 @@ from plainspoken.web.page.frame import (
     framed,
     tell,
 )
-from plainspoken.web.page.graph import PLENTY, Graph, graph_of, situation, walked
+from plainspoken.web.page.graph import PLENTY, Graph, graph_of, naming, situation, walked
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
 from plainspoken.web.page.markup import Html
@@ -41,6 +41,8 @@ PLAYED_EVERY = 0.8
 """Seconds between two steps of a mission that is played."""
 READ = 'tabindex="0" role="region" aria-label="{}"'
 """What scrolls can be reached by keyboard, and has a name."""
+MOST_FOUND = 3
+"""Situations that a search opens in a folded plan."""
 TABS = ("Map", "Talk", "Plan", "Events", "Known")
 
 
@@ -127,7 +129,7 @@ class Watch:
         self.graph = graph
         with ui.element("div").classes("row") as row:
             search = ui.input(label="Find in the plan").props("outlined dense clearable")
-            search.on_value_change(lambda event: graph.find(event.value or ""))
+            search.on_value_change(lambda event: self._find(event.value or ""))
             button("Now", graph.here, "chip")
             button("Fit", graph.fit, "chip")
             self.fold = button("Show all", self._unfold, "chip")
@@ -139,6 +141,14 @@ class Watch:
         with ui.element("details"):
             Text("summary", "The plan in words")
             self.rules = Text("pre", classes="rules").props('tabindex="0"')
+
+    def _find(self, words: str) -> None:
+        """Go to what has some words, and open what holds it."""
+        policy, _, _ = walked(self.view.moment)
+        if policy is not None and words.strip():
+            self.opened |= frozenset(naming(policy, words, self.view.moment.lexicon)[:MOST_FOUND])
+            self.news.set()
+        self.graph.find(words)
 
     def _unfold(self) -> None:
         self.whole = not self.whole

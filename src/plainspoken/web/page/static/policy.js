@@ -95,6 +95,7 @@ export default {
       this.cy.resize();
       if (first || (!this.free && (moved || present !== this.present))) this.here();
       this.present = present;
+      if (moved && this.words) this.find(this.words); // what was folded away may be there now
     },
     go(what) {
       if (still.matches) this.cy.center(what);
@@ -118,6 +119,7 @@ export default {
       if (this.cy && this.cy.zoom() > 1) { this.cy.zoom(1); this.cy.center(); }
     },
     find(words) {
+      this.words = words;
       if (!this.cy) return;
       this.cy.nodes().removeClass("found");
       const asked = words.trim().toLowerCase();
