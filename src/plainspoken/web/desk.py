@@ -298,7 +298,7 @@ class Desk:
 
         by: who says it
         """
-        said = (conversation or Conversation()).say(text, Moment(self._entries(mission)))
+        said = (conversation or Conversation()).say(text, Moment(self.log(mission)))
         if said.agreed is not None:
             self._ask_of(mission, message_of(said.agreed, by))
         return said
