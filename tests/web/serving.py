@@ -24,17 +24,26 @@ from plainspoken.web.desk import Desk
 from plainspoken.web.front import behind_gate, caller_of
 from plainspoken.web.page.layout import read_layout
 from plainspoken.web.server import create_app, run
+from plainspoken.world.domain import Problem, State
 from plainspoken.world.event import Entry
 
 
 class Led(Simulator):
     """A simulated robot that waits with the end of an action until it may come."""
 
-    allowed: Path
+    def __init__(self, problem: Problem, allowed: Path, state: State | None) -> None:
+        super().__init__(problem, state=state)
+        self._allowed = allowed
+        self._given_up: set[str] = set()
+
+    def cancel(self, goal_id: str) -> None:
+        super().cancel(goal_id)
+        self._given_up.add(goal_id)
 
     def wait(self, goal_id: str, timeout: float) -> GoalStatus:
         number = int(goal_id.rpartition("/")[2])
-        if self.allowed.exists() and number > int(self.allowed.read_text()):
+        waits = self._allowed.exists() and number > int(self._allowed.read_text())
+        if waits and goal_id in self._goals and goal_id not in self._given_up:
             time.sleep(min(timeout, 0.05))
             return UnderWay(0.5)
         return super().wait(goal_id, timeout)
@@ -46,8 +55,7 @@ def main(port: str, store: str, allowed: str) -> None:
         site: Site, _: Mapping[str, Any], entries: Sequence[Entry]
     ) -> Iterator[tuple[Robot, Patience]]:
         states = [each.event.state for each in entries if hasattr(each.event, "state")]
-        robot = Led(site.problem, state=states[-1] if states else None)
-        robot.allowed = Path(allowed)
+        robot = Led(site.problem, Path(allowed), states[-1] if states else None)
         yield robot, Patience(news=0.05)
 
     sites = {name: site_in(bundled(name)) for name in EXAMPLES}

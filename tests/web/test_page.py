@@ -69,7 +69,7 @@ def test_from_a_sentence_to_a_mission_that_answers_and_is_looked_back_at(
     expect(page.locator(".doing")).to_contain_text("wait until I'm told")
     page.get_by_label("Ask, or tell me something").fill("the support robot is at line 1")
     page.keyboard.press("Enter")
-    page.get_by_role("button", name="Yes, note it").click()
+    page.get_by_role("button", name="Yes, that is right").click()
     expect(page.locator(".timeline")).to_contain_text("operator reports")
     page.get_by_role("button", name="Go on").click()
     status(page, "finished")
@@ -141,14 +141,13 @@ def test_a_request_is_changed_once_that_is_confirmed(
     page = window.new_page()
     started(page, server.url, "Visit line 3 and then line 0")
     page.get_by_role("button", name="Change …").click()
-    page.get_by_label("What should be done?").fill("Visit line 1")
+    page.get_by_label("What should be different?").fill("Forget all that and visit line 1")
     page.get_by_role("dialog").get_by_role("button", name="Understand").click()
-    page.get_by_role("button", name="Yes, instead of all that was asked").click()
+    page.get_by_role("button", name="Yes, from now on").click()
+    expect(page.locator(".timeline")).to_contain_text("operator asks for a change")
     server.may_end(EVERYTHING)
     status(page, "finished")
     expect(page.locator(".clauses")).to_have_text("Visit line 1.✓ done")
-    page.get_by_role("tab", name="Events").click()
-    expect(page.locator(".timeline")).to_contain_text("operator asks for a change")
 
 
 def test_two_browsers_see_the_same_and_one_is_told_when_the_other_commands(

@@ -81,6 +81,7 @@ def test_no_view_keeps_anybody_out(
 def test_a_mission_is_said_started_and_paused_by_keyboard_alone(
     server: Served, tmp_path: Path
 ) -> None:
+    server.may_end(1)
     with browser(tmp_path / "profile", viewport=DESK, reduced_motion="reduce") as window:
         page = window.new_page()
         page.goto(server.url)

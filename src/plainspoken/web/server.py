@@ -9,10 +9,12 @@ from typing import Any
 
 import uvicorn
 from fastapi import FastAPI
+from nicegui import app as nicegui
 from nicegui import ui
 from starlette.types import ASGIApp
 
 from plainspoken.web.desk import Desk
+from plainspoken.web.page.cards import Cards
 from plainspoken.web.page.frame import House
 from plainspoken.web.page.layout import Layout
 from plainspoken.web.page.live import Feeds
@@ -41,9 +43,19 @@ def create_app(
     visitor_of: who sends a request, None where everybody may do everything
     """
     app = FastAPI(title="plainspoken", docs_url=None, redoc_url=None)
-    house = House(desk, Feeds(desk, layouts or {}), dict(robot or {}))
+    house = House(desk, Feeds(desk, layouts or {}), Cards(desk), dict(robot or {}))
     open_pages(house, visitor_of or (lambda _: Anybody()))
-    ui.run_with(app, title="plainspoken", dark=None, tailwind=False, show_welcome_message=False)
+    # Quasar's bar for requests has no name that a screen reader could say, and nothing to tell.
+    nicegui.config.quasar_config["loadingBar"] = {"skipHijack": True}
+    ui.run_with(
+        app,
+        title="plainspoken",
+        dark=None,  # as the system has it
+        language="en-US",
+        tailwind=False,
+        show_welcome_message=False,
+        reconnect_timeout=10.0,  # a phone between two vines; what it missed is sent again
+    )
     return app
 
 

@@ -13,14 +13,11 @@ from dataclasses import dataclass
 from nicegui import ui
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.language.extracted import Reading, Status
-from plainspoken.logic.formula import conjunction
-from plainspoken.mission.mission import MissionId
-from plainspoken.mission.observation import ChangeAsked, Told
-from plainspoken.mission.request import Clause
-from plainspoken.pipeline import Site, understand
-from plainspoken.questions.fluents import fluents_in
-from plainspoken.questions.morphology import listed
+from plainspoken.mission.mission import MissionId, mission_from
+from plainspoken.mission.observation import ChangeAsked
+from plainspoken.questions.change import ChangeOfMind, wanted
+from plainspoken.questions.conversation import message_of
+from plainspoken.questions.report import Report
 from plainspoken.web.desk import Desk, Reply, UnseenError
 from plainspoken.web.page.frame import Text, Visitor, button, confirmed, tell
 from plainspoken.web.page.living import Living
@@ -55,34 +52,18 @@ class Commands:
         ):
             await self._ask(self.desk.cancel)
 
-    async def report(self, text: str) -> str:
-        """Have somebody confirm what a report says, and record it; gives what to answer."""
-        view = self.view()
-        found = reported(text, view)
-        if found is None:
-            return "I can't tell which fact that is. Say it like: “the box is full”."
-        told, english = found
-        told = Told(self.visitor.name, text, told.added, told.deleted)
-        if not await confirmed("Note this?", f"I understand: {english}.", "Yes, note it"):
-            return "I haven't noted it."
-        try:
-            await asyncio.to_thread(self.desk.report, self.mission, told)
-        except PlainspokenError as error:
-            return f"I couldn't note it: {error.what}."
-        return f"Noted: {english}."
-
-    async def change(self, text: str = "") -> None:
-        """Say what should be done instead, or as well."""
-        site = await asyncio.to_thread(self.desk.site, self.mission)
+    async def change(self) -> None:
+        """Say what should be different, see what that comes to, and confirm it."""
         with ui.dialog() as dialog, ui.element("div").classes("card dialog"):
             Text("h2", "Change what is asked for")
-            said = ui.textarea(label="What should be done?", value=text).props(
+            said = ui.textarea(label="What should be different?").props(
                 "outlined autogrow autofocus maxlength=2000"
             )
             shown = ui.element("div").classes("changed").props('aria-live="polite"')
 
             async def heard() -> None:
-                await self._understood(said.value or "", site, shown, dialog)
+                found = await asyncio.to_thread(self._wanted, said.value or "")
+                self._offer(found, shown, dialog)
 
             said.on("keydown.enter.exact.prevent", heard)
             with ui.element("div").classes("row"):
@@ -91,54 +72,44 @@ class Commands:
         dialog.props('aria-label="change what is asked for"')
         dialog.on_value_change(lambda event: None if event.value else dialog.delete())
         dialog.open()
-        if text:
-            await heard()
 
-    async def _understood(
-        self, text: str, site: Site, shown: ui.element, dialog: ui.dialog
-    ) -> None:
-        found = await asyncio.to_thread(understand, text, site)
+    def _wanted(self, text: str) -> ChangeOfMind:
+        view = self.view()
+        return wanted(text, mission_from(view.entries), view.moment.lexicon)
+
+    def _offer(self, found: ChangeOfMind, shown: ui.element, dialog: ui.dialog) -> None:
+        """Say back what was understood, to be confirmed."""
         shown.clear()
         with shown:
-            if found.status is Status.OK and found.reading is not None:
-                self._offered(text, found.reading, dialog)
-            elif found.status is Status.CLARIFY:
+            if found.meant is not None:
+                Text("p", found.meant.english, "english")
+
+                async def agreed() -> None:
+                    dialog.close()
+                    await self.tell(found)
+
+                button("Yes, from now on", agreed, "main")
+            elif found.choices:
                 Text("p", found.question or "Which do you mean?", "question")
-                answers = [each.english for each in found.alternatives]
-
-                def chosen(index: str) -> None:
-                    shown.clear()
-                    with shown:
-                        self._offered(text, found.alternatives[int(index)], dialog)
-
-                Living(buttons(answers, "answers", "button answer")).on_pick(chosen)
+                answers = [each.english for each in found.choices]
+                Living(buttons(answers, "answers", "button answer")).on_pick(
+                    lambda place: self._offer(
+                        found.settled_on(found.choices[int(place)]), shown, dialog
+                    )
+                )
             else:
                 Text("p", found.reason or "I do not understand that.", "refusal")
 
-    def _offered(self, text: str, reading: Reading, dialog: ui.dialog) -> None:
-        Text("p", reading.english, "english")
+    async def tell(self, agreed: Report | ChangeOfMind) -> None:
+        """Tell the mission what somebody has agreed to."""
+        seen, message = self.view().step, message_of(agreed, self.visitor.name)
 
-        async def agreed(*, instead: bool) -> None:
-            dialog.close()
-            await self._ask_change(text, reading, instead=instead)
+        def told() -> Reply:
+            if isinstance(message, ChangeAsked):
+                return self.desk.change(self.mission, message, seen=seen)
+            return self.desk.report(self.mission, message)
 
-        with ui.element("div").classes("row"):
-            button("Yes, instead of all that was asked", lambda: agreed(instead=True), "main")
-            button("Yes, as well", lambda: agreed(instead=False), "main")
-
-    async def _ask_change(self, text: str, reading: Reading, *, instead: bool) -> None:
-        seen = self.view().step
-
-        def asked() -> Reply:
-            now = self.desk.mission(self.mission)
-            new = Clause(reading.formula, now.instant)
-            clauses = (new,) if instead else (*now.brief.clauses, new)
-            site = self.desk.site(self.mission)
-            english = site.in_words(conjunction(*(each.goal for each in clauses)))
-            change = ChangeAsked(self.visitor.name, text, clauses, english)
-            return self.desk.change(self.mission, change, seen=seen)
-
-        await self._told(asked)
+        await self._told(told)
 
     async def _ask(self, command: Callable[..., Reply]) -> None:
         seen = self.view().step
@@ -162,15 +133,3 @@ class Commands:
         else:
             if reply.meanwhile:
                 ui.notify(f"Meanwhile {'; '.join(map(str, reply.meanwhile))}.", type="info")
-
-
-def reported(text: str, view: View) -> tuple[Told, str] | None:
-    """The facts that a report states, with their words; None where it states none."""
-    moment = view.moment
-    said = [each for each in fluents_in(text, moment.lexicon) if moment.changes(each.atom)]
-    added = frozenset(each.atom for each in said if each.holds)
-    deleted = frozenset(each.atom for each in said if not each.holds)
-    if not said or added & deleted:
-        return None
-    words = [moment.lexicon.clause(each.atom).said(negative=not each.holds) for each in said]
-    return Told("", text, added, deleted), listed(words)

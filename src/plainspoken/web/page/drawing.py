@@ -9,16 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from plainspoken.web.page.ground import Ground, Whereabouts
+from plainspoken.web.page import shapes
+from plainspoken.web.page.ground import Ground, Place, Whereabouts
 from plainspoken.web.page.layout import HEIGHT, WIDTH, Mark, Point, Spot, arranged
 from plainspoken.web.page.markup import Html, tag
 from plainspoken.world.domain import GroundAction, State
 
 _TONES = ("unseen", "doubt", "good", "bad", "done", "plain")
-_LEAVES = (
-    *((0.08, -8.0), (0.17, 8.0), (0.33, -9.0), (0.42, 7.0)),
-    *((0.6, 8.0), (0.68, -8.0), (0.84, 7.0), (0.92, -7.0)),
-)
 
 
 @dataclass(frozen=True)
@@ -89,7 +86,7 @@ class Drawing:
         inside: list[Html] = []
         x, y = spot.at
         if spot.shape == "row" and spot.to is not None:
-            inside += _trellis(spot.at, spot.to)
+            inside += shapes.trellis(spot.at, spot.to)
             label = (spot.to[0], spot.to[1] - 18)
         elif spot.shape == "house":
             roof = f"M{x - 62:g} {y - 8:g} L{x:g} {y - 40:g} L{x + 62:g} {y - 8:g} Z"
@@ -147,10 +144,10 @@ class Drawing:
         shape = self._shape(about.thing)
         words = self._told(about)
         if shape == "grape":
-            parts = [tag("title", words), *_bunch(mark)]
+            parts = [tag("title", words), *shapes.bunch(mark)]
         elif shape == "box":
             within = [each for each in held.get(about.thing, ()) if each.thing != about.thing]
-            parts = [tag("title", words), *_box(mark, len(within))]
+            parts = [tag("title", words), *shapes.box(mark, len(within))]
             parts += [
                 tag("circle", cx=-9 + 9.0 * i, cy=3.0, r=4.0, class_="content", data_thing=e.thing)
                 for i, e in enumerate(within[:3])
@@ -171,30 +168,34 @@ class Drawing:
         where: Mapping[str, Whereabouts],
         scene: Scene,
     ) -> Iterable[Html]:
-        acting = scene.action.split()[1:2] if scene.action else []
         robots = self.ground.robots
+        acting = scene.action.split()[1:2] if scene.action else []
+        if scene.action and not set(acting) & set(robots):
+            acting = [*robots[:1]]  # the domain does not say which robot acts
         at: dict[str, int] = {}
         for number, robot in enumerate(robots):
-            place = where[robot].holder
-            spot = self._spots.get(place) if place else None
-            index = at[place or ""] = at.get(place or "", -1) + 1
-            x, y = spot.at if spot else (40 + 60.0 * index, HEIGHT - 80)
-            aside = -54.0 if spot and spot.shape == "house" else 0.0
-            x, y = x + aside + 58.0 * index, y + (14.0 if aside else 24.0)
-            load = [e for e in held.get(robot, ()) if e.thing not in robots]
-            busy = robot in acting or (
-                not set(acting) & set(robots) and scene.action and not number
-            )
-            inside = [tag("title", self._told(where[robot])), *_robot(number, busy=bool(busy))]
+            place = where[robot].holder or ""
+            index = at[place] = at.get(place, -1) + 1
+            load = [each for each in held.get(robot, ()) if each.thing not in robots]
+            inside = [tag("title", self._told(where[robot]))]
+            inside += shapes.robot(number, busy=robot in acting)
             for i, each in enumerate(load):
-                inside.append(
-                    tag("g", *self._figure(each, held), class_="load", data_thing=each.thing,
-                        transform=f"translate({30 * i} {-29})")
-                )  # fmt: skip
+                x = 36 * (i - (len(load) - 1) / 2)
+                figure = tag("g", *self._figure(each, held), transform=f"translate({x:g} -30)")
+                inside.append(tag("g", figure, class_="load", data_thing=each.thing))
             name = _name(self.ground, robot)
             inside.append(tag("text", name, class_="name", text_anchor="middle", y=38.0))
-            classes = "robot busy" if busy else "robot"
-            yield self._group(f"thing {robot}", robot, inside, classes, (x, y))
+            classes = "robot busy" if robot in acting else "robot"
+            yield self._group(f"thing {robot}", robot, inside, classes, self._stand(place, index))
+
+    def _stand(self, place: Place, index: int) -> Point:
+        """Where the first, second ... robot stands at a place: before a house, not in it."""
+        spot = self._spots.get(place)
+        if spot is None:
+            return 40 + 60.0 * index, HEIGHT - 80
+        x, y = spot.at
+        aside = -150.0 if spot.shape == "house" else 0.0
+        return x + aside + 60.0 * index, y + (6.0 if aside else 24.0)
 
     def _group(
         self, key: str, thing: str, inside: Sequence[Html], classes: str, at: Point | None = None
@@ -255,59 +256,3 @@ def _name(ground: Ground, name: str) -> str:
         if name == ground.lexicon.me
         else ground.lexicon.object_words(name).removeprefix("the ")
     )
-
-
-def _trellis(at: Point, to: Point) -> list[Html]:
-    """A row of vines: posts, wires and leaves between them."""
-    (x1, y1), (x2, y2) = at, to
-    y1 -= 34
-    wires = [
-        tag("line", x1=x1 + d, y1=y1, x2=x2 + d, y2=y2, class_="wire") for d in (-7.0, 0.0, 7.0)
-    ]
-    posts = [
-        tag("line", x1=x1 + (x2 - x1) * s - 14, y1=y1 + (y2 - y1) * s,
-            x2=x1 + (x2 - x1) * s + 14, y2=y1 + (y2 - y1) * s, class_="post")
-        for s in (0.0, 0.25, 0.5, 0.75, 1.0)
-    ]  # fmt: skip
-    leaves = [
-        tag("circle", cx=x1 + (x2 - x1) * s + d, cy=y1 + (y2 - y1) * s, r=9.0, class_="leaf")
-        for s, d in _LEAVES
-    ]
-    return [*posts, *wires, *leaves]
-
-
-def _bunch(mark: Mark) -> list[Html]:
-    """A bunch of grapes with the sign of what is known of it."""
-    berries = [(-9, -8), (0, -10), (9, -8), (-5, 0), (5, 0), (0, 8)]
-    return [
-        tag("circle", r=22.0, class_="halo"),
-        *(
-            tag("circle", cx=float(x), cy=float(y), r=6.5, class_=f"berry {mark.tone}")
-            for x, y in berries
-        ),
-        *([tag("text", mark.sign, class_="badge", x=17.0, y=-8.0)] if mark.sign else []),
-    ]
-
-
-def _box(mark: Mark, count: int) -> list[Html]:
-    """A crate that fills: empty, a third for each thing in it, and brimful once it is full."""
-    level = 20.0 if mark.tone != "plain" else min(count, 2) * 7.0
-    return [
-        tag("rect", x=-16.0, y=-10.0, width=32.0, height=22.0, rx=3.0, class_=f"crate {mark.tone}"),
-        tag("rect", x=-14.0, y=10.0 - level, width=28.0, height=level, class_="filling"),
-        *([tag("text", mark.sign, class_="badge", x=18.0, y=0.0)] if mark.sign else []),
-    ]
-
-
-def _robot(number: int, *, busy: bool) -> list[Html]:
-    """A robot around 0, 0; each has its own shade and stripes, the one at work a ring."""
-    ring = [tag("circle", r=30.0, class_="ring")] if busy else []
-    return [
-        *ring,
-        tag("rect", x=-20.0, y=-14.0, width=40.0, height=26.0, rx=8.0,
-            class_=f"body body-{number % 3}"),
-        tag("circle", cx=-12.0, cy=14.0, r=6.0, class_="wheel"),
-        tag("circle", cx=12.0, cy=14.0, r=6.0, class_="wheel"),
-        tag("circle", cx=-7.0, cy=-3.0, r=3.5, class_="eye"),
-        tag("circle", cx=7.0, cy=-3.0, r=3.5, class_="eye"),
-    ]  # fmt: skip

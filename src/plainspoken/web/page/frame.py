@@ -13,6 +13,7 @@ from nicegui.elements.mixins.text_element import TextElement
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.web.desk import Desk
+from plainspoken.web.page.cards import Cards
 from plainspoken.web.page.live import Feeds
 
 STATIC = Path(__file__).parent / "static"
@@ -37,6 +38,7 @@ class House:
 
     desk: Desk
     feeds: Feeds
+    cards: Cards
     robot: dict[str, Any] = field(default_factory=dict)
 
 
@@ -75,8 +77,10 @@ def framed(visitor: Visitor, classes: str) -> Iterator[ui.element]:
         with ui.element("nav").props('aria-label="pages"'):
             Text("a", "New mission").props('href="/"')
             Text("a", "Missions").props('href="/missions"')
-        role = "" if visitor.may_command else " (may look and ask)"
-        Text("span", f"{visitor.name}{role}", "visitor")
+        if visitor.may_command:
+            Text("span", visitor.name, "visitor operator")
+        else:
+            Text("span", f"{visitor.name} (may look and ask)", "visitor")
     with ui.element("main").props('id="main" tabindex="-1"').classes(classes) as main:
         yield main
 

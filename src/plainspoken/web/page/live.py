@@ -14,7 +14,7 @@ from plainspoken.web.desk import Desk
 from plainspoken.web.page.drawing import Drawing
 from plainspoken.web.page.ground import Ground
 from plainspoken.web.page.layout import Layout
-from plainspoken.web.page.speech import Conversation
+from plainspoken.web.page.speech import Talk
 from plainspoken.web.page.view import View
 from plainspoken.world.event import Entry, Step
 
@@ -32,7 +32,7 @@ class Feed:
         raises PlainspokenError: when there is no such mission
         """
         self.mission = mission
-        self.conversation = Conversation()
+        self.talk = Talk()
         self._desk = desk
         self._entries: list[Entry] = list(desk.entries(mission))
         self._accepted = accepted_of(self._entries)

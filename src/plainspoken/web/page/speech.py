@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 from plainspoken.questions.chronicle import Line
 from plainspoken.questions.claim import Answer
-from plainspoken.questions.dialogue import Dialogue
 from plainspoken.web.page.markup import Html, tag
 from plainspoken.world.domain import Problem
 from plainspoken.world.event import Step
@@ -30,11 +29,10 @@ class Said:
 
 
 @dataclass
-class Conversation:
-    """All that was said about one mission here; each person has a dialogue of their own."""
+class Talk:
+    """All that was said about one mission here, by whomever."""
 
     turns: list[Said] = field(default_factory=list)
-    dialogues: dict[str, Dialogue] = field(default_factory=dict)
 
     def add(self, *said: Said) -> None:
         """Note what was said; of very much, the latest."""

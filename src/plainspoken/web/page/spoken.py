@@ -68,7 +68,9 @@ def pictured(found: Examples, landmarks: Landmarks) -> Html | None:
         for good, some in ((True, found.accepted), (False, found.rejected))
         for each in some
     ]
-    return tag("ul", *rows, class_="examples") if rows else None
+    return (
+        tag("ul", *rows, class_="examples", tabindex="0", aria_label="examples") if rows else None
+    )
 
 
 def _trace(example: Example, landmarks: Landmarks, *, good: bool) -> Html:

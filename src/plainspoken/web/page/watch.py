@@ -8,9 +8,10 @@ from collections.abc import Mapping
 from nicegui import ui
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.mission.mission import Status
+from plainspoken.language.extracted import Status
+from plainspoken.mission.mission import Status as Standing
 from plainspoken.planning.policy import NodeId, Policy
-from plainspoken.questions.dialogue import Dialogue
+from plainspoken.questions.conversation import Conversation
 from plainspoken.web.page import panels
 from plainspoken.web.page.commands import Commands
 from plainspoken.web.page.drawing import legend
@@ -27,7 +28,7 @@ from plainspoken.web.page.graph import PLENTY, Graph, graph_of, situation, walke
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
 from plainspoken.web.page.markup import Html
-from plainspoken.web.page.order import Order, order_in
+from plainspoken.web.page.order import order_in
 from plainspoken.web.page.policy import PolicyGraph
 from plainspoken.web.page.speech import Said, bubbles, with_questions
 from plainspoken.web.page.view import View
@@ -38,6 +39,8 @@ SLOWEST = 0.1
 """Seconds between two pictures, at least: nobody sees more, and many may watch."""
 PLAYED_EVERY = 0.8
 """Seconds between two steps of a mission that is played."""
+READ = 'tabindex="0" role="region" aria-label="{}"'
+"""What scrolls can be reached by keyboard, and has a name."""
 TABS = ("Map", "Talk", "Plan", "Events", "Known")
 
 
@@ -49,6 +52,7 @@ class Watch:
         self.desk = house.desk
         self.mission = feed.mission
         self.commands = Commands(self.desk, self.mission, visitor, self._latest)
+        self.conversation = Conversation()
         self.at: Step | None = None
         self.news = asyncio.Event()
         self.opened: frozenset[NodeId] = frozenset()
@@ -85,7 +89,7 @@ class Watch:
                     Living().classes("keeps-low scroll").on_pick(lambda step: self._look(int(step)))
                 )
             with self._panel("known", "Known"):
-                self.known = Living().classes("scroll")
+                self.known = Living().classes("scroll").props(READ.format("facts"))
         self.player = ui.timer(PLAYED_EVERY, self._next, active=False)
         self.show(view)
 
@@ -187,7 +191,8 @@ class Watch:
             self._look(self.at + 1)
 
     def _talk(self) -> None:
-        self.talk = Living().classes("keeps-low scroll").props('aria-live="polite"')
+        self.talk = Living().classes("keeps-low scroll").props(READ.format("conversation"))
+        self.talk.props('aria-live="polite"')
         self.suggested = Living().on_pick(self._suggested)
         with ui.element("div").classes("row ask"):
             self.question = ui.input(label="Ask, or tell me something").props(
@@ -211,19 +216,23 @@ class Watch:
         self.clauses.show(view.once(_clauses))
         self.timeline.show(self._timeline(view))
         self.known.show(view.once(_known))
-        self.talk.show(bubbles(self.feed.conversation.turns, view.moment.problem))
-        self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
+        self.talk.show(bubbles(self.feed.talk.turns, view.moment.problem))
+        replies = [words for words, _ in self._replies()]
+        if replies:
+            self.suggested.show(panels.buttons(replies, "answers", "button answer"))
+        else:
+            self.suggested.show(panels.buttons(view.suggestions, "suggested questions"))
         self.slider.props(f'max="{self.feed.last}" value="{view.step}"')
         self.moment.set_text(f"step {view.step} of {self.feed.last}" if past else "live")
         self.live.set_visibility(past)
         may = self.visitor.may_command and not view.is_over
-        self.pause.set_visibility(may and view.status is not Status.PAUSED)
-        self.resume.set_visibility(may and view.status is Status.PAUSED)
+        self.pause.set_visibility(may and view.status is not Standing.PAUSED)
+        self.resume.set_visibility(may and view.status is Standing.PAUSED)
         self.change.set_visibility(may)
         self.cancel.set_visibility(may)
 
     def _timeline(self, view: View) -> Html:
-        turns = self.feed.conversation.turns
+        turns = self.feed.talk.turns
         if not turns:
             return view.once(_lines)
         return panels.timeline(with_questions(view.lines, turns, view.step))
@@ -242,48 +251,61 @@ class Watch:
 
     # -- talk ----------------------------------------------------------------------------------
 
-    async def _suggested(self, index: str) -> None:
-        self.question.value = self.view.suggestions[int(index)]
-        await self._asked()
+    def _replies(self) -> list[tuple[str, str]]:
+        """Answers to what is open between us, each with what is then said."""
+        pending = self.conversation.pending
+        if pending is None:
+            return []
+        if pending.status is Status.CLARIFY:
+            answers = [each.answer for each in pending.choices]
+            numbered = [(each, str(number)) for number, each in enumerate(answers, start=1)]
+            return [*numbered, ("None of these", "no")]
+        return [("Yes, that is right", "yes"), ("No", "no")]
+
+    async def _suggested(self, place: str) -> None:
+        replies = self._replies()
+        texts = [said for _, said in replies] or [*self.view.suggestions]
+        if int(place) < len(texts):  # it may be another moment by now
+            await self._said(texts[int(place)])
 
     async def _asked(self) -> None:
         text = (self.question.value or "").strip()
         if not text:
             return
         self.question.value = ""
-        talk = self.feed.conversation
-        dialogue = talk.dialogues.get(self.visitor.name, Dialogue())
+        await self._said(text)
+
+    async def _said(self, text: str) -> None:
+        """Take a question, a report, an order or a change of mind."""
+        talk, who = self.feed.talk, self.visitor.name
+        view = self._latest()
+        time = utc_now().isoformat(timespec="milliseconds")
+        talk.add(Said(who, text, time=time, step=view.step))
+        self.feed.tell()
+        order = None if view.is_over or not self.visitor.may_command else order_in(text)
+        if order is not None:
+            await {
+                "pause": self.commands.pause,
+                "resume": self.commands.resume,
+                "cancel": self.commands.cancel,
+            }[order]()
+            return
+        # A question is about the moment that is looked at; what is told is told now.
+        about = self.view if self.conversation.pending is None else view
         try:
-            answer, after = await asyncio.to_thread(dialogue.ask, text, self.view.moment)
+            said = await asyncio.to_thread(self.conversation.say, text, about.moment)
         except PlainspokenError as error:
             tell(error)
             return
-        order = None if self.view.is_over else order_in(text, answer.kind)
-        time = utc_now().isoformat(timespec="milliseconds")
-        talk.add(Said(self.visitor.name, text, time=time, step=self._latest().step))
-        if order is None or not self.visitor.may_command:
-            talk.dialogues[self.visitor.name] = after
-            talk.add(Said("robot", answer.text, answer))
+        if not self.visitor.may_command and (said.agreed or said.then.pending):
+            self.conversation = Conversation(said.then.dialogue)
+            talk.add(Said("robot", "You may look and ask here; an operator tells me things."))
         else:
-            reply = await self._ordered(order, text)
-            talk.add(*([Said("robot", reply)] if reply else ()))
+            self.conversation = said.then
+            talk.add(Said("robot", said.answer.text, said.answer))
+            if said.agreed is not None:
+                await self.commands.tell(said.agreed)
         self.feed.tell()
-
-    async def _ordered(self, order: Order, text: str) -> str | None:
-        """Do what somebody said should be done, once they confirm it."""
-        self.feed.tell()
-        match order:
-            case "report":
-                return await self.commands.report(text)
-            case "pause":
-                await self.commands.pause()
-            case "resume":
-                await self.commands.resume()
-            case "cancel":
-                await self.commands.cancel()
-            case "change":
-                await self.commands.change(text)
-        return None
 
     def _latest(self) -> View:
         """The mission as it is now, whatever moment of it is looked at."""

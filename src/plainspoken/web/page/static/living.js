@@ -48,7 +48,17 @@ export default {
   props: { content: String, tag: String },
   emits: ["pick"],
   mounted() {
+    this.low = true;
+    this.onPanel = () => this.$nextTick(() => this.sink());
+    this.$el.addEventListener("scroll", () => {
+      const el = this.$el;
+      this.low = el.scrollHeight - el.scrollTop - el.clientHeight < 48;
+    });
+    addEventListener("panel", this.onPanel);
     this.draw();
+  },
+  unmounted() {
+    removeEventListener("panel", this.onPanel);
   },
   watch: {
     content() {
@@ -58,13 +68,16 @@ export default {
   methods: {
     draw() {
       const el = this.$el;
-      const low = el.scrollHeight - el.scrollTop - el.clientHeight < 48;
       const fresh = document.createElement("div");
       fresh.append(
         DOMPurify.sanitize(this.content, { RETURN_DOM_FRAGMENT: true, ADD_ATTR: ["data-key"] }),
       );
       morph(el, fresh);
-      if (el.classList.contains("keeps-low") && low) el.scrollTop = el.scrollHeight;
+      this.sink();
+    },
+    sink() {
+      // The latest is at the foot, and stays in sight of whoever has not scrolled away from it.
+      if (this.low && this.$el.classList.contains("keeps-low")) this.$el.scrollTop = this.$el.scrollHeight;
     },
     picked(event) {
       const found = event.target.closest("[data-pick]");

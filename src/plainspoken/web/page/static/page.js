@@ -70,5 +70,9 @@
     observer.disconnect();
     choose(wide.matches ? "events" : "map");
   }).observe(document, { childList: true, subtree: true });
-  wide.addEventListener("change", () => choose(wide.matches ? "events" : "map"));
+  // Where there is room, map and talk are always there, and no tabs.
+  wide.addEventListener("change", () => {
+    const shown = document.querySelector("main.mission")?.dataset.tab;
+    if (wide.matches && (shown === "map" || shown === "talk")) choose("events");
+  });
 })();
