@@ -181,7 +181,7 @@ def test_of_two_who_command_at_once_the_second_is_told_who_was_first(tmp_path: P
     tokens, access = granted((Role.OPERATOR, "ada"), (Role.OPERATOR, "bob"))
     with open_store(str(tmp_path / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot, most=0)  # nobody carries it out
-        both = bench(desk, access)
+        both = bench(desk, access, patience=0.01)
         ada, bob = both.client(tokens["ada"]), both.client(tokens["bob"])
         name = both.started()
         seen = ada.get(f"{API}/missions/{name}").json()["seen"]
@@ -277,7 +277,7 @@ def test_a_viewer_may_look_and_ask_and_not_command(tmp_path: Path) -> None:
     tokens, access = granted((Role.VIEWER, "vic"))
     with open_store(str(tmp_path / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot, most=0)
-        it = bench(desk, access)
+        it = bench(desk, access, patience=0.01)
         client, name = it.client(tokens["vic"]), it.started()
         before = desk.entries(name)
         for path in ("places", "missions", f"missions/{name}", f"missions/{name}/events"):

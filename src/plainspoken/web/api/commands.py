@@ -99,7 +99,7 @@ def _fact(text: str, problem: Problem, where: str) -> GroundAtom:
 
 def heard(office: Office, mission: str, reply: Reply) -> Heard:
     """What became of a command, once its mission had a moment to hear it."""
-    is_heard = office.desk.is_heard(mission, reply)
+    is_heard = office.desk.is_heard(mission, reply, patience=office.patience)
     standing = office.standings.of(mission)
     return Heard(
         heard=is_heard,
