@@ -75,9 +75,9 @@ class Bench:
         return self.desk.start("vineyard", Request(mission, goal), ending.policy)
 
 
-def bench(desk: Desk, access: Access, rates: Rates | None = None) -> Bench:
-    """A server at a desk."""
-    office = Office(desk, rates=rates)
+def bench(desk: Desk, access: Access, rates: Rates | None = None, *, patience: float = 60) -> Bench:
+    """A server at a desk; patience: for commands, less where nobody is there to hear them."""
+    office = Office(desk, rates=rates, patience=patience)
     inside = Starlette(routes=[Mount(PREFIX, create_api(office))])
     app = Gate(inside, access, Names.of("127.0.0.1", ["testserver"]), rates=rates)
     return Bench(desk, office, access, app)

@@ -181,7 +181,7 @@ def test_of_two_who_command_at_once_the_second_is_told_who_was_first(tmp_path: P
     tokens, access = granted((Role.OPERATOR, "ada"), (Role.OPERATOR, "bob"))
     with open_store(str(tmp_path / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot, most=0)  # nobody carries it out
-        both = bench(desk, access)
+        both = bench(desk, access, patience=0.01)
         ada, bob = both.client(tokens["ada"]), both.client(tokens["bob"])
         name = both.started()
         seen = ada.get(f"{API}/missions/{name}").json()["seen"]
@@ -224,6 +224,36 @@ def test_of_many_commands_at_the_same_moment_one_gets_through(standstill: Bench)
     assert kinds.count("resumed") == 1
 
 
+def test_a_report_in_words_is_said_back_before_it_is_recorded(standstill: Bench) -> None:
+    client, name = standstill.client(), standstill.started()
+    read = command(
+        client, name, "reports/understandings", text="I checked the grape, it is ripe"
+    ).json()
+    assert read["status"] == "ok", read
+    assert not any(e.kind == "report_received" for e in standstill.desk.entries(name))
+    facts = {each: read[each] for each in ("added", "deleted")}
+    assert command(client, name, "reports", text=read["text"], **facts).json()["heard"]
+    assert set(read["added"]) <= standstill.desk.mission(name).state
+    refused = command(client, name, "reports/understandings", text="What a day").json()
+    assert refused["status"] == "reject"
+    assert refused["reason"]
+
+
+def test_a_change_of_mind_is_made_once_its_english_is_confirmed(standstill: Bench) -> None:
+    client, name = standstill.client(), standstill.started()
+    seen = command(client, name, "pause").json()["seen"]
+    read = command(client, name, "changes/understandings", text="Visit line 0 instead").json()
+    assert read["status"] == "ok", read
+    ask = {"text": read["text"], "seen": seen}
+    unconfirmed = command(client, name, "changes", confirm="yes", **ask)
+    assert unconfirmed.status_code == 409
+    assert read["english"] in unconfirmed.json()["what"]
+    assert command(client, name, "changes", confirm=read["english"], **ask).json()["heard"]
+    event = standstill.desk.entries(name)[-1].event
+    assert getattr(event, "english", None) == read["english"]
+    assert command(client, name, "changes", confirm="", text="Dance!", seen=0).status_code == 422
+
+
 @pytest.mark.parametrize(
     ("what", "body"),
     [("cancel", {"seen": 1}), ("cancel", {"seen": 1, "confirm": False}), ("resume", {}),
@@ -247,7 +277,7 @@ def test_a_viewer_may_look_and_ask_and_not_command(tmp_path: Path) -> None:
     tokens, access = granted((Role.VIEWER, "vic"))
     with open_store(str(tmp_path / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot, most=0)
-        it = bench(desk, access)
+        it = bench(desk, access, patience=0.01)
         client, name = it.client(tokens["vic"]), it.started()
         before = desk.entries(name)
         for path in ("places", "missions", f"missions/{name}", f"missions/{name}/events"):
@@ -261,6 +291,7 @@ def test_a_viewer_may_look_and_ask_and_not_command(tmp_path: Path) -> None:
             (f"missions/{name}/resume", {"seen": 1}),
             (f"missions/{name}/cancel", {"seen": 1, "confirm": True}),
             (f"missions/{name}/reports", {"text": "I did it"}),
+            (f"missions/{name}/changes", {"text": "x", "confirm": "x", "seen": 0}),
         ]:
             refused = client.post(f"{API}/{path}", json=body)
             assert (refused.status_code, path) == (403, path)

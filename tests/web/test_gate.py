@@ -231,3 +231,9 @@ def test_a_broken_cookie_is_no_login() -> None:
     for cookie in (b"=;=", b"plainspoken_login=..", b'plainspoken_login="\\', b"\xff=\xfe"):
         shown = {b"Cookie": cookie}
         assert client(access).get("/api/x", headers=shown).status_code == 401
+
+
+def test_an_address_with_control_characters_is_refused_in_our_form() -> None:
+    for path in ("/a%0Ab", "/api/v1/missions/%00", "/%7F"):
+        refused = client().get(path)
+        assert (refused.status_code, "control" in refused.json()["what"]) == (400, True)

@@ -46,7 +46,7 @@ def described(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     days = count(0, 86400)
     with open_store(str(folder / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot)
-        it = bench(desk, Access(None, everyone="ada"), Rates(lambda: next(days)))
+        it = bench(desk, Access(None, everyone="ada"), Rates(lambda: next(days)), patience=0.1)
         it.started(OVER)
         it.started(PAUSED)
         desk.pause(PAUSED, "ada")

@@ -50,7 +50,7 @@ ELSEWHERE = 0.5
 """Seconds until the log is looked at again for what other processes wrote."""
 
 
-HEARD_WITHIN = 2.0
+HEARD_WITHIN = 10.0
 """Seconds that whoever asked something of a mission waits for it to be in the log."""
 COMMANDS = (Paused, Resumed, Cancelled, ChangeRequested)
 """What somebody should know of before they ask something else."""

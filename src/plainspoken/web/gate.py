@@ -9,6 +9,7 @@ and then, so that it ends with the login or the token that it came in with.
 from __future__ import annotations
 
 import asyncio
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from http.cookies import CookieError, SimpleCookie
@@ -60,6 +61,7 @@ _HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Permissions-Policy": "microphone=(self), camera=(), geolocation=()",
 }
+_PATH = re.compile(r"[^\x00-\x1f\x7f]*")
 _FORWARDED = ("forwarded", "x-forwarded-for", "x-forwarded-host", "x-real-ip")
 
 
@@ -113,6 +115,8 @@ class Gate:
     async def _http(self, scope: Scope, receive: Receive, send: Send) -> None:
         refused = self._stranger(scope)
         caller = None
+        if refused is None and not _PATH.fullmatch(scope["path"]):  # routes do not match it either
+            refused = refusal(400, Problem(what="an address has no control characters"))
         if refused is None:
             caller, refused = self._known(scope)
         if refused is not None:

@@ -13,7 +13,7 @@ from starlette.responses import Response
 
 from plainspoken import __version__
 from plainspoken.errors import PlainspokenError
-from plainspoken.web.api import commands, events, missions, planning, questions
+from plainspoken.web.api import commands, events, missions, planning, questions, words
 from plainspoken.web.api.office import Office
 from plainspoken.web.problem import Problem, refusal, response_of
 
@@ -56,7 +56,7 @@ def create_api(office: Office) -> FastAPI:
         responses={status: {**each, "model": Problem} for status, each in _REFUSALS.items()},
     )
     api.state.office = office
-    for routes in (planning, missions, commands, events, questions):
+    for routes in (planning, missions, words, commands, events, questions):
         api.include_router(routes.router)
     api.include_router(missions.whole)
     api.add_exception_handler(PlainspokenError, _ours)

@@ -29,15 +29,15 @@ def pause(mission: MissionName, asked: Pausing, office: TheOffice, caller: TheOp
 
     It is never refused for what others asked: that is told in `meanwhile`.
     """
-    seen = _known(office, mission, asked.seen)
-    return _heard(office, mission, office.desk.pause(mission, caller.name, seen=seen))
+    seen = known(office, mission, asked.seen)
+    return heard(office, mission, office.desk.pause(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/resume")
 def resume(mission: MissionName, asked: Resuming, office: TheOffice, caller: TheOperator) -> Heard:
     """Go on with a mission that was paused; 409 where others asked something after `seen`."""
-    seen = _known(office, mission, asked.seen)
-    return _heard(office, mission, office.desk.resume(mission, caller.name, seen=seen))
+    seen = known(office, mission, asked.seen)
+    return heard(office, mission, office.desk.resume(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/cancel")
@@ -45,8 +45,8 @@ def cancel(
     mission: MissionName, asked: Cancelling, office: TheOffice, caller: TheOperator
 ) -> Heard:
     """Give a mission up; 409 where others asked something after `seen`."""
-    seen = _known(office, mission, asked.seen)
-    return _heard(office, mission, office.desk.cancel(mission, caller.name, seen=seen))
+    seen = known(office, mission, asked.seen)
+    return heard(office, mission, office.desk.cancel(mission, caller.name, seen=seen))
 
 
 @router.post("/missions/{mission:path}/reports")
@@ -56,10 +56,10 @@ def report(mission: MissionName, asked: Reporting, office: TheOffice, caller: Th
     added = frozenset(_fact(atom, problem, "body.added") for atom in asked.added)
     deleted = frozenset(_fact(atom, problem, "body.deleted") for atom in asked.deleted)
     reply = office.desk.report(mission, Told(caller.name, asked.text, added, deleted))
-    return _heard(office, mission, reply)
+    return heard(office, mission, reply)
 
 
-def _known(office: Office, mission: str, seen: Step | None) -> Step | None:
+def known(office: Office, mission: str, seen: Step | None) -> Step | None:
     """A step that whoever commands can have seen.
 
     raises HTTPException: when the log does not go so far
@@ -97,11 +97,12 @@ def _fact(text: str, problem: Problem, where: str) -> GroundAtom:
     return " ".join([predicate, *arguments])
 
 
-def _heard(office: Office, mission: str, reply: Reply) -> Heard:
-    heard = office.desk.is_heard(mission, reply)
+def heard(office: Office, mission: str, reply: Reply) -> Heard:
+    """What became of a command, once its mission had a moment to hear it."""
+    is_heard = office.desk.is_heard(mission, reply, patience=office.patience)
     standing = office.standings.of(mission)
     return Heard(
-        heard=heard,
+        heard=is_heard,
         seen=standing.seen,
         status=standing.mission.status,
         meanwhile=told(reply.meanwhile),

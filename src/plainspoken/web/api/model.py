@@ -206,6 +206,71 @@ class Reporting(Asked):
     deleted: list[Atom] = Field(default=[], max_length=100)
 
 
+class Words(Asked):
+    """What somebody says to a mission."""
+
+    text: Sentence
+
+
+class ReportChoice(BaseModel):
+    """One thing that a report may mean."""
+
+    answer: str
+    facts: list[str]
+
+
+class ReportRead(BaseModel):
+    """What became of a report in words; added and deleted are what to send to have it recorded."""
+
+    text: str
+    status: Literal["ok", "clarify", "reject"]
+    facts: list[str]
+    implied: list[str]
+    english: str | None
+    question: str | None
+    choices: list[ReportChoice]
+    reason: str | None
+    added: list[str]
+    deleted: list[str]
+
+
+class Changing(Asked):
+    """A change of mind; confirm: the English that it was said back in."""
+
+    text: Sentence
+    answer: str | None = Field(
+        default=None, max_length=2000, description="Where there is a choice."
+    )
+    confirm: str = Field(max_length=20_000)
+    seen: Annotated[StepNumber, _SEEN]
+
+
+class ChangeClause(BaseModel):
+    """A formula for the trace from an instant on."""
+
+    since: int
+    goal: str
+
+
+class ChangeChoice(BaseModel):
+    """One thing that a change may mean."""
+
+    answer: str
+    english: str
+
+
+class ChangeRead(BaseModel):
+    """What became of a change of mind in words."""
+
+    text: str
+    status: Literal["ok", "clarify", "reject"]
+    english: str | None
+    clauses: list[ChangeClause]
+    question: str | None
+    choices: list[ChangeChoice]
+    reason: str | None
+
+
 class Heard(BaseModel):
     """What became of a command.
 

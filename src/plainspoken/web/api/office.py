@@ -13,7 +13,7 @@ from typing import Any
 from plainspoken.logic.formula import Formula
 from plainspoken.planning.policy import Policy
 from plainspoken.web.access import Caller
-from plainspoken.web.desk import Desk, PlaceName
+from plainspoken.web.desk import HEARD_WITHIN, Desk, PlaceName
 from plainspoken.web.feed import Feed
 from plainspoken.web.rate import Rate, Rates, Seats
 from plainspoken.web.standing import Standings
@@ -73,15 +73,21 @@ class Office:
     """
 
     def __init__(
-        self, desk: Desk, *, robot: Mapping[str, Any] | None = None, rates: Rates | None = None
+        self,
+        desk: Desk,
+        *,
+        robot: Mapping[str, Any] | None = None,
+        rates: Rates | None = None,
+        patience: float = HEARD_WITHIN,
     ) -> None:
-        """Open an office at a desk."""
+        """Open an office at a desk; patience: seconds to wait for a command to be heard."""
         self.desk = desk
         self.robot = dict(robot or {})
         self.feed = Feed(desk)
         self.standings = Standings(desk)
         self.plans = Plans()
         self.rates = rates or Rates()
+        self.patience = patience
         self.viewers = Seats("streams of events", total=256, each=64)
         self.planners = Seats("plans", total=2, each=1)
         self.askers = Seats("questions", total=8, each=4)
