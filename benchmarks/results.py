@@ -2,8 +2,9 @@
 
     python benchmarks/results.py FOLDER [--limit S]
 
-FOLDER holds planning.md, warm.md, automata.md, unripe.md, ripe.md, unchecked.md, faults.md and
-adversary.md, as the benchmarks print them; S is the limit that planning.py was run with.
+FOLDER holds planning.md, warm.md, automata.md, unripe.md, ripe.md, unchecked.md, faults.md,
+adversary.md and viewers.md, as the benchmarks print them; S is the limit that planning.py was run
+with.
 """
 
 from __future__ import annotations
@@ -88,6 +89,14 @@ so or is not, and chance that is unfair for ever. After every instant of every r
 verdict, of the whole and of each clause, is compared with the plain semantics.
 
 {adversary}
+## Watching
+
+One server carries a mission out and serves everybody who watches it; server, robot and viewers
+share the cores. Wall time from when an entry of the log is dated until a viewer has read it, and
+for pages until the server's next message to them after that, by `benchmarks/viewers.py`. The
+target is 500 ms for 95% of the updates. Other work on the machine had a lower priority meanwhile.
+
+{viewers}
 """
 
 
@@ -96,7 +105,10 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--limit", type=int, default=60)
     chosen = parser.parse_args()
-    names = ("planning", "warm", "automata", "unripe", "ripe", "unchecked", "faults", "adversary")
+    names = (
+        "planning", "warm", "automata", "unripe", "ripe", "unchecked",
+        "faults", "adversary", "viewers",
+    )  # fmt: skip
     tables = {name: (chosen.folder / f"{name}.md").read_text().strip() for name in names}
     machine = f"{os.cpu_count()} cores, {platform.machine()} {platform.system()}"
     machine += f", Python {platform.python_version()}"

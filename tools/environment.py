@@ -3,6 +3,7 @@
 usage: environment.py run     what `plainspoken` needs
        environment.py dev     that, and what tests and checks need
        environment.py llm     that, and language models with a small one of our own
+       environment.py web     what the page needs, beside what `run` does
        environment.py ros2    .venv-ros2, beside it: what tests need, and ROS 2
        environment.py train   .venv-train, beside it: what training the reader needs
 
@@ -34,6 +35,7 @@ LOCKS = {
     "dev": ROOT / "requirements-dev.lock",
     "llm": ROOT / "requirements-llm.lock",
     "ros2": ROOT / "requirements-ros2.lock",
+    "web": ROOT / "requirements-web.lock",
     "weights": ROOT / "requirements-weights.lock",
 }
 PROJECT = ROOT / "pyproject.toml"
@@ -123,6 +125,19 @@ def ensure_llm() -> None:
     stamp.write_text(content)
 
 
+def ensure_web() -> None:
+    """Add the locked packages of the page."""
+    ensure_run()
+    stamp = VENV / "web.stamp"
+    content = digest(LOCKS["web"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("adding what the page needs from requirements-web.lock (once, some ten seconds)")
+    pip("install", "--quiet", "--require-hashes", "--requirement", str(LOCKS["web"]))
+    stamp.write_text(content)
+
+
 def ensure_ros2() -> None:
     """Make an environment of its own for ROS 2 and the tests that speak to it."""
     stamp = ROS_VENV / "ros2.stamp"
@@ -166,6 +181,7 @@ ENSURE = {
     "dev": ensure_dev,
     "llm": ensure_llm,
     "ros2": ensure_ros2,
+    "web": ensure_web,
     "train": ensure_train,
 }
 

@@ -19,6 +19,8 @@ COMMANDS = {
     "run": "Carry a mission out and record it.",
     "work": "Carry out the missions that wait in a store, as a worker.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
+    "serve": "Open the page: say what should be done, watch it, ask about it.",
+    "token": "Make a token for somebody who may look, or command, over the network.",
     "report": "Tell a mission what you did or saw.",
     "answer": "Answer what a mission asks of people.",
     "eval": "Measure how well sentences are understood, and how true answers are.",

@@ -14,11 +14,12 @@ from rich.rule import Rule
 from rich.text import Text
 
 from plainspoken.cli.extract import explained
-from plainspoken.cli.record import new_mission_id, recorder, utc_now
+from plainspoken.cli.record import recorder, utc_now
 from plainspoken.cli.tree import policy_tree
 from plainspoken.cli.watch import Scoreboard, watch
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.log import SqliteLog, store_path
+from plainspoken.mission.mission import new_mission_id
 from plainspoken.mission.simulator import Simulator, steering_from
 from plainspoken.pipeline import (
     Request,

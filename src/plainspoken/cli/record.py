@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
@@ -13,11 +12,6 @@ from plainspoken.knowledge.log import EventLog
 from plainspoken.mission.mission import MissionId
 from plainspoken.mission.run import Record
 from plainspoken.world.event import Entry, Event, Instant
-
-
-def new_mission_id(now: Callable[[], datetime]) -> MissionId:
-    """Readable, in the order of time, and not given twice: `1122-093005-7f3a`."""
-    return f"{now():%m%d-%H%M%S}-{secrets.token_hex(2)}"
 
 
 def utc_now() -> datetime:

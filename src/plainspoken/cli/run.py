@@ -12,7 +12,7 @@ from plainspoken.cli.exit import NO
 from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.goal import chosen_goal, goal_options
 from plainspoken.cli.plan import progress_shown
-from plainspoken.cli.record import fresh_file, new_mission_id, utc_now, written_too
+from plainspoken.cli.record import fresh_file, utc_now, written_too
 from plainspoken.cli.robots import KINDS, chosen_robot, opened, robot_in
 from plainspoken.cli.simulated import Settings
 from plainspoken.cli.site import FILE, chosen_site, site_options
@@ -21,7 +21,7 @@ from plainspoken.knowledge.jsonl import JsonlWriter
 from plainspoken.knowledge.queue import Standing
 from plainspoken.knowledge.store import Store
 from plainspoken.mission.executive import queued
-from plainspoken.mission.mission import Mission
+from plainspoken.mission.mission import Mission, new_mission_id
 from plainspoken.mission.run import heeding
 from plainspoken.pipeline import Request, Site, accepted_as, carry_out, find_policy, why_not
 from plainspoken.planning.policy import Policy

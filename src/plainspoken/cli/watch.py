@@ -15,30 +15,18 @@ from plainspoken.logic.english import say
 from plainspoken.logic.syntax import parse
 from plainspoken.mission.mission import Mission
 from plainspoken.planning.policy import Policy, policy_from_json
+from plainspoken.questions.chronicle import news, remark
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.world.domain import State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
-    ActionOverdue,
     ActionProgressed,
-    ActionResent,
     ActionStarted,
-    ChangeRefused,
-    ChangeRequested,
-    DeviationNoticed,
     Entry,
-    Event,
     MissionAccepted,
     MissionEnded,
-    Paused,
     PolicyChosen,
-    ReportReceived,
-    RequestChanged,
-    Resumed,
-    RobotFound,
-    RobotLost,
-    TakenUp,
     VerdictReached,
 )
 
@@ -112,11 +100,11 @@ class Scoreboard:
                 self._going[goal_id] = replace(row, seen=part)
                 self._rows[self._place_of(row)] = self._going[goal_id]
             case ActionFinished(action, goal_id, state, node, misreported):
-                news = self._news(state)
+                seen = self._news(state)
                 if misreported:
-                    news += " (the robot said otherwise)"
+                    seen += " (the robot said otherwise)"
                 self._settle(
-                    goal_id, Row(str(entry.instant), self._lexicon.deed(action).doing, news)
+                    goal_id, Row(str(entry.instant), self._lexicon.deed(action).doing, seen)
                 )
                 self._done += 1
                 self._advance_bar(node)
@@ -167,45 +155,8 @@ class Scoreboard:
         self._progress.update(self._bar, completed=self._done, total=self._done + left)
 
     def _news(self, state: State) -> str:
-        """What is true now and was not before; what stopped being true, where that is all."""
-        added, deleted = state - self._state, self._state - state
-        self._state = state
-        told = self._told(added, true=True) or self._told(deleted, true=False)
-        return ", ".join(told) or "nothing has changed"
-
-    def _told(self, atoms: State, *, true: bool) -> list[str]:
-        return [self._lexicon.clause(atom).said(negative=not true) for atom in sorted(atoms)]
-
-
-def remark(event: Event) -> str | None:
-    """What there is to say of an event that is no action; None where there is nothing."""
-    match event:
-        case DeviationNoticed(description=description):
-            return f"not as expected: {description}"
-        case ActionOverdue(seconds=seconds):
-            return f"no end after {seconds:.0f} s: giving it up"
-        case ActionResent():
-            return "the robot never began it: told once more"
-        case RobotLost(reason):
-            return f"the robot cannot be reached: {reason}"
-        case RobotFound():
-            return "the robot can be reached again"
-        case ChangeRequested(by, text):
-            return f'{by} asks for a change: "{text}"'
-        case RequestChanged(text=text, english=english):
-            return f"from now on: {english or text}"
-        case ChangeRefused(reason=reason):
-            return f"nothing is changed: {reason}"
-        case ReportReceived(reporter, text):
-            return f'{reporter} reports: "{text}"'
-        case Paused(by):
-            return f"paused by {by}"
-        case Resumed(by):
-            return f"resumed by {by}"
-        case TakenUp(by):
-            return f"carried out by {by} from here on"
-        case _:
-            return None
+        before, self._state = self._state, state
+        return news(before, state, self._lexicon)
 
 
 def distances(policy: Policy) -> dict[int, int]:

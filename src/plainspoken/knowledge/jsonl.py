@@ -159,7 +159,7 @@ class JsonlWriter:
         text = canonical(entry)
         self._previous = chained(self._previous, text)
         try:
-            self._file.write(_sealed(text, self._previous))
+            self._file.write(sealed(text, self._previous))
             self._file.flush()
         except OSError as error:
             raise InputFileError(f"cannot write the file: {error.strerror}", self._path) from error
@@ -175,7 +175,7 @@ def write_jsonl(links: Iterable[Link], path: str | Path) -> None:
     partial = target.with_name(target.name + ".partial")
     try:
         with partial.open("wb") as file:
-            file.writelines(_sealed(link.text, link.hash) for link in links)
+            file.writelines(sealed(link.text, link.hash) for link in links)
             file.flush()
             os.fsync(file.fileno())
         partial.replace(target)
@@ -183,7 +183,8 @@ def write_jsonl(links: Iterable[Link], path: str | Path) -> None:
         raise InputFileError(f"cannot write the file: {error.strerror}", path) from error
 
 
-def _sealed(text: str, seal: Hash) -> bytes:
+def sealed(text: str, seal: Hash) -> bytes:
+    """The line of an entry in a file."""
     return f'{text[:-1]},"hash":"{seal}"}}\n'.encode()
 
 

@@ -174,13 +174,15 @@ class Log:
             texts = [(link.step, link.text) for link in links]
             _insert(session, mission, genesis(mission), texts)
 
-    def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
-        """The entries of a mission in order; none where it is not known.
+    def entries(
+        self, mission: MissionId, since: Step = 0, most: int | None = None
+    ) -> tuple[Entry, ...]:
+        """The entries of a mission in order, so many at most; none where it is not known.
 
         raises InputFileError: naming the step, where an entry cannot be read
         """
         found = []
-        for link in self.links(mission, since):
+        for link in self.links(mission, since, most):
             try:
                 found.append(entry_from_json(json.loads(link.text)))
             except (ValueError, KeyError, TypeError) as error:
@@ -192,14 +194,14 @@ class Log:
                 ) from error
         return tuple(found)
 
-    def links(self, mission: MissionId, since: Step = 0) -> tuple[Link, ...]:
+    def links(
+        self, mission: MissionId, since: Step = 0, most: int | None = None
+    ) -> tuple[Link, ...]:
         """The entries of a mission as they are stored, with the hash up to each."""
+        sql = "SELECT step, document, hash FROM entry WHERE mission = ? AND step >= ? ORDER BY step"
+        limit = () if most is None else (most,)
         with self.database.reading() as session:
-            rows = session.rows(
-                "SELECT step, document, hash FROM entry WHERE mission = ? AND step >= ?"
-                " ORDER BY step",
-                (mission, since),
-            )
+            rows = session.rows(sql + " LIMIT ?" * len(limit), (mission, since, *limit))
         return tuple(Link(*row) for row in rows)
 
     def missions(self) -> tuple[MissionId, ...]:

@@ -193,6 +193,12 @@ def unanswered(session: Session, mission: MissionId) -> tuple[Message, ...]:
     return tuple(Message(*row) for row in rows)
 
 
+def last_message(session: Session, mission: MissionId) -> MessageNumber:
+    """What was asked of a mission last, answered or not; 0 before anything was."""
+    found = session.rows("SELECT max(number) FROM message WHERE mission = ?", (mission,))
+    return found[0][0] or 0
+
+
 def answer(session: Session, mission: MissionId, upto: MessageNumber, step: Step) -> None:
     """Note that what was asked, up to a message, is in the log at a step."""
     session.change(

@@ -17,6 +17,13 @@ from plainspoken.knowledge.queue import Message, MessageNumber, Place, RobotName
 from plainspoken.world.event import Entry, Event, Instant, MissionEnded, Step
 
 
+class AskedMeanwhileError(PlainspokenError):
+    """Somebody else was quicker to ask something of a mission."""
+
+    def __init__(self, mission: MissionId) -> None:
+        super().__init__(f"somebody else asked something of the mission {mission} just now")
+
+
 class Store(Log):
     """The log of missions, and all that processes have to agree on to carry them out."""
 
@@ -91,13 +98,19 @@ class Store(Log):
 
     # -- requests ------------------------------------------------------------------------------
 
-    def post(self, mission: MissionId, document: str) -> MessageNumber:
+    def post(
+        self, mission: MissionId, document: str, *, after: MessageNumber | None = None
+    ) -> MessageNumber:
         """Ask something of a mission, whoever carries it out.
 
-        raises PlainspokenError: when it is over, or has no place
+        after: the last message that whoever asks knows of
+        raises AskedMeanwhileError: when there is a later one
+        raises PlainspokenError: when the mission is over, or has no place
         """
         with self.database.writing() as session:
             self.database.alone(session)  # so that a later number is never seen before an earlier
+            if after is not None and queue.last_message(session, mission) != after:
+                raise AskedMeanwhileError(mission)
             number = queue.post(session, mission, document)
         if number is None:
             raise PlainspokenError(
@@ -115,6 +128,15 @@ class Store(Log):
         """What was asked of a mission, and is not in its log yet."""
         with self.database.reading() as session:
             return queue.unanswered(session, mission)
+
+    def last_message(self, mission: MissionId) -> MessageNumber:
+        """What was asked of a mission last; 0 before anything was."""
+        with self.database.reading() as session:
+            return queue.last_message(session, mission)
+
+    def is_answered(self, mission: MissionId, number: MessageNumber) -> bool:
+        """Whether the log holds what a message led to, or that was nothing."""
+        return all(message.number != number for message in self.unanswered(mission))
 
     def dismiss(self, mission: MissionId, upto: MessageNumber, step: Step) -> None:
         """Note that what was asked, up to a message, needs no entry in the log."""

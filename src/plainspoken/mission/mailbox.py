@@ -82,3 +82,12 @@ def from_message(text: str) -> Asked:
                 )
     except (ValueError, KeyError, TypeError) as error:
         raise PlainspokenError("not a request to a mission", where=text) from error
+
+
+def asked_by(text: str) -> tuple[str, str]:
+    """What a request asks for, in a word, and who asks; whatever its version."""
+    try:
+        document = json.loads(text)
+        return str(document["ask"]), str(document["by"])
+    except (ValueError, KeyError, TypeError):
+        return "do something", "somebody"

@@ -6,8 +6,10 @@ So one that was paused or killed comes back from its entries alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import secrets
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from datetime import datetime
 from enum import StrEnum
 from typing import assert_never
 
@@ -60,6 +62,11 @@ from plainspoken.world.symbol import Symbol, letter
 MissionId = str
 GoalId = str
 """Names one command to a robot: `<mission>/<how many commands, this one included>`."""
+
+
+def new_mission_id(now: Callable[[], datetime]) -> MissionId:
+    """Readable, in the order of time, and not given twice: `1122-093005-7f3a`."""
+    return f"{now():%m%d-%H%M%S}-{secrets.token_hex(2)}"
 
 
 class Status(StrEnum):

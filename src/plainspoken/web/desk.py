@@ -10,16 +10,19 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.knowledge.store import Store
+from plainspoken.knowledge.queue import MessageNumber
+from plainspoken.knowledge.store import AskedMeanwhileError, Store
 from plainspoken.language.extraction import Extraction
 from plainspoken.logic.formula import Formula
 from plainspoken.mission.executive import queued
-from plainspoken.mission.mailbox import Asked, to_message
+from plainspoken.mission.mailbox import Asked, asked_by, to_message
 from plainspoken.mission.mission import Mission, MissionId, mission_from
 from plainspoken.mission.observation import CancelAsked, ChangeAsked, PauseAsked, ResumeAsked, Told
 from plainspoken.mission.simulator import Simulator
@@ -39,14 +42,69 @@ from plainspoken.planning.watch import Progress
 from plainspoken.questions.conversation import Conversation, Said, message_of
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.moment import Moment
-from plainspoken.work.shift import robots_of, utc_now
+from plainspoken.work.shift import TICK, robots_of, utc_now
 from plainspoken.work.worker import RobotFor, Worker
-from plainspoken.world.event import Entry, Step
+from plainspoken.world.event import Cancelled, ChangeRequested, Entry, Paused, Resumed, Step
 
 PlaceName = str
 
 ELSEWHERE = 0.5
 """Seconds until the log is looked at again for what other processes wrote."""
+
+
+HEARD_WITHIN = 10.0
+"""Seconds that whoever asked something of a mission waits for it to be in the log."""
+COMMANDS = (Paused, Resumed, Cancelled, ChangeRequested)
+"""What somebody should know of before they ask something else."""
+
+
+class UnknownPlaceError(PlainspokenError):
+    """There is no place of that name."""
+
+
+class UnknownMissionError(PlainspokenError):
+    """There is no mission of that name."""
+
+
+class MissionOverError(PlainspokenError):
+    """Nothing can be asked of a mission any more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """What somebody asked of a mission; step: of the entry that says so, None before there is."""
+
+    by: str
+    asked: str
+    step: Step | None
+
+    def __str__(self) -> str:
+        where = "and it is not in the log yet" if self.step is None else f"at step {self.step}"
+        return f"{self.by} {self.asked}, {where}"
+
+
+class UnseenError(PlainspokenError):
+    """Somebody else has asked something of a mission, which whoever asks now does not know of."""
+
+    def __init__(self, mission: MissionId, commands: Sequence[Command]) -> None:
+        self.commands = tuple(commands)
+        super().__init__(
+            f"somebody has commanded the mission {mission} meanwhile",
+            where="\n".join(map(str, commands)),
+            hint="look at the mission, and ask again if it is still what you want",
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """Something that was asked, and is on its way to whoever carries the mission out.
+
+    number:    names it at the store
+    meanwhile: what others had asked, which whoever asked did not know of
+    """
+
+    number: MessageNumber
+    meanwhile: tuple[Command, ...] = ()
 
 
 class PlanningStopped(Exception):
@@ -82,9 +140,20 @@ class Desk:
 
     # -- before a mission ----------------------------------------------------------------------
 
+    def place(self, place: PlaceName) -> Site:
+        """A place that is known here.
+
+        raises UnknownPlaceError: when it is not
+        """
+        if place not in self.places:
+            raise UnknownPlaceError(
+                f"no place is called {place!r}", hint=f"there are {', '.join(self.places)}"
+            )
+        return self.places[place]
+
     def understand(self, place: PlaceName, text: str) -> Extraction:
         """What a sentence asks for, at a place."""
-        return understand(text, self._site(place))
+        return understand(text, self.place(place))
 
     def plan(
         self,
@@ -108,14 +177,14 @@ class Desk:
             if on_progress is not None:
                 on_progress(progress)
 
-        return find_policy(self._site(place).problem, goal, timeout=timeout, on_progress=heard)
+        return find_policy(self.place(place).problem, goal, timeout=timeout, on_progress=heard)
 
     def start(self, place: PlaceName, request: Request, policy: Policy) -> MissionId:
         """Have a mission carried out; it is in the log when this returns.
 
         raises OvertakenError: when there is a mission of that name
         """
-        site = self._site(place)
+        site = self.place(place)
         if "robots" not in request.robot:
             request = request.knowing(VeiledRobot(Simulator(site.problem), site.problem))
         accepted = accepted_as(site, request)
@@ -130,19 +199,34 @@ class Desk:
         """Every mission of the log, oldest first."""
         return self.store.missions()
 
-    def entries(self, mission: MissionId, since: Step = 0) -> tuple[Entry, ...]:
-        return self.store.entries(mission, since)
+    def entries(
+        self, mission: MissionId, since: Step = 0, most: int | None = None
+    ) -> tuple[Entry, ...]:
+        """The entries from a step on, so many at most; none where there is no such mission."""
+        return self.store.entries(mission, since, most)
+
+    def log(self, mission: MissionId) -> tuple[Entry, ...]:
+        """All entries of a mission.
+
+        raises UnknownMissionError: when there is no such mission
+        """
+        entries = self.store.entries(mission)
+        if not entries:
+            raise UnknownMissionError(
+                f"no mission {mission!r}", hint="the list of missions has their names"
+            )
+        return entries
 
     def mission(self, mission: MissionId) -> Mission:
         """Where a mission stands.
 
         raises PlainspokenError: when there is no such mission
         """
-        return mission_from(self._entries(mission))
+        return mission_from(self.log(mission))
 
     def site(self, mission: MissionId) -> Site:
         """Where a mission takes place, by its log alone."""
-        return site_of(accepted_of(self._entries(mission)))
+        return site_of(accepted_of(self.log(mission)))
 
     def is_running(self, mission: MissionId) -> bool:
         """Whether some worker carries it out, here or elsewhere."""
@@ -154,21 +238,48 @@ class Desk:
         place = self.store.place(mission)
         return None if place is None else place.trouble
 
-    def pause(self, mission: MissionId, by: str) -> None:
-        self._ask_of(mission, PauseAsked(by))
+    # `seen` is the last step that whoever asks knows of; None asks whatever happened since.
 
-    def cancel(self, mission: MissionId, by: str) -> None:
-        self._ask_of(mission, CancelAsked(by))
+    def pause(self, mission: MissionId, by: str, *, seen: Step | None = None) -> Reply:
+        """Have a mission start nothing more.
 
-    def report(self, mission: MissionId, told: Told) -> None:
-        self._ask_of(mission, told)
+        It is never refused, whatever others asked meanwhile: that is told, and the robot stands.
+        """
+        before = self._unseen(mission, seen)
+        return replace(self._ask_of(mission, PauseAsked(by)), meanwhile=before)
 
-    def change(self, mission: MissionId, asked: ChangeAsked) -> None:
-        self._ask_of(mission, asked)
+    def cancel(self, mission: MissionId, by: str, *, seen: Step | None = None) -> Reply:
+        """Give a mission up.
 
-    def resume(self, mission: MissionId, by: str) -> None:
-        """Go on with a mission that was paused."""
-        self._ask_of(mission, ResumeAsked(by))
+        raises UnseenError: when somebody asked for something after `seen`
+        """
+        return self._ask_of(mission, CancelAsked(by), seen)
+
+    def report(self, mission: MissionId, told: Told) -> Reply:
+        return self._ask_of(mission, told)
+
+    def change(self, mission: MissionId, asked: ChangeAsked, *, seen: Step | None = None) -> Reply:
+        """Have a mission be about something else.
+
+        raises UnseenError: when somebody asked for something after `seen`
+        """
+        return self._ask_of(mission, asked, seen)
+
+    def resume(self, mission: MissionId, by: str, *, seen: Step | None = None) -> Reply:
+        """Go on with a mission that was paused.
+
+        raises UnseenError: when somebody asked for something after `seen`
+        """
+        return self._ask_of(mission, ResumeAsked(by), seen)
+
+    def is_heard(self, mission: MissionId, reply: Reply, *, patience: float = HEARD_WITHIN) -> bool:
+        """Whether the log holds what a request led to; waits a moment for it."""
+        deadline = time.monotonic() + patience
+        while not self.store.is_answered(mission, reply.number):
+            if time.monotonic() > deadline:
+                return False
+            time.sleep(TICK / 2)
+        return True
 
     # -- questions -----------------------------------------------------------------------------
 
@@ -182,7 +293,7 @@ class Desk:
         full: bool = False,
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
-        moment = Moment(self._entries(mission), at, utc_now() if at is None else None)
+        moment = Moment(self.log(mission), at, utc_now() if at is None else None)
         return (dialogue or Dialogue()).ask(text, moment, full=full)
 
     def say(
@@ -192,9 +303,8 @@ class Desk:
 
         by: who says it
         """
-        said = (conversation or Conversation()).say(
-            text, Moment(self._entries(mission), now=utc_now())
-        )
+        moment = Moment(self.log(mission), now=utc_now())
+        said = (conversation or Conversation()).say(text, moment)
         if said.agreed is not None:
             self._ask_of(mission, message_of(said.agreed, by))
         return said
@@ -217,19 +327,6 @@ class Desk:
 
     # -- inside --------------------------------------------------------------------------------
 
-    def _site(self, place: PlaceName) -> Site:
-        if place not in self.places:
-            raise PlainspokenError(
-                f"no place is called {place!r}", hint=f"there are {', '.join(self.places)}"
-            )
-        return self.places[place]
-
-    def _entries(self, mission: MissionId) -> tuple[Entry, ...]:
-        entries = self.store.entries(mission)
-        if not entries:
-            raise PlainspokenError(f"no mission {mission!r}")
-        return entries
-
     def _next_entries(self, mission: MissionId, since: Step, deadline: float) -> tuple[Entry, ...]:
         while True:
             with self._news:
@@ -242,14 +339,45 @@ class Desk:
                 if self._count == seen:
                     self._news.wait(min(left, ELSEWHERE))
 
-    def _ask_of(self, mission: MissionId, asked: Asked) -> None:
+    def _ask_of(self, mission: MissionId, asked: Asked, seen: Step | None = None) -> Reply:
         """Put a request where whoever carries the mission out finds it."""
-        entries = self._entries(mission)
+        entries = self.log(mission)
         if mission_from(entries).is_over:
-            raise PlainspokenError(f"the mission {mission} is over")
+            raise MissionOverError(
+                f"the mission {mission} is over", hint="it can still be asked about"
+            )
         if self.store.place(mission) is None:  # it was run before there were places
             self.store.enlist(mission, robots_of(accepted_of(entries)))
-        self.store.post(mission, to_message(asked))
+        return Reply(self._post(mission, to_message(asked), seen))
+
+    def _post(self, mission: MissionId, document: str, seen: Step | None) -> MessageNumber:
+        if seen is None:
+            return self.store.post(mission, document)
+        while True:
+            last = self.store.last_message(mission)
+            unseen = self._unseen(mission, seen)
+            if unseen:
+                raise UnseenError(mission, unseen)
+            with suppress(AskedMeanwhileError):  # then it is looked at what that was
+                return self.store.post(mission, document, after=last)
+
+    def _unseen(self, mission: MissionId, seen: Step | None) -> tuple[Command, ...]:
+        """What was asked of a mission that the log up to a step does not tell."""
+        if seen is None:
+            return ()
+        # First what is not in the log yet: what gets into it meanwhile is found there.
+        waiting = [
+            Command(by, f"asked to {ask}", None)
+            for message in self.store.unanswered(mission)
+            for ask, by in [asked_by(message.document)]
+            if ask != "report"
+        ]
+        told = [
+            Command(entry.event.by, entry.kind.replace("_", " "), entry.step)
+            for entry in self.store.entries(mission, seen + 1)
+            if isinstance(entry.event, COMMANDS)
+        ]
+        return (*told, *waiting)
 
     def _heard(self, _mission: MissionId, _entry: Entry) -> None:
         self._tell()

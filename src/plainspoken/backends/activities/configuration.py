@@ -61,6 +61,7 @@ from plainspoken.world.domain import (
 ASK_KEYS = ("call", "with", "when", "unless")
 FACT_KEYS = (*ASK_KEYS, "otherwise", "needed", "lasts", "tries", "at_first")
 
+
 @contextmanager
 def robot_from(
     path: Path,
