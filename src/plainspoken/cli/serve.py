@@ -96,7 +96,7 @@ def serve(
         layouts[first.problem.name] = read_layout(layout)
     chosen = chosen_robot(None, robots, Settings(seed, steer, pace=0.0 if robots else pace))
     with open_store(store) as kept:
-        desk = Desk(sites, kept, partial(robot_for, kept.database.place))
+        desk = Desk(sites, kept, partial(robot_for, kept))
         try:
             robot = chosen.to_json()
             page = create_app(desk, robot=robot, layouts=layouts, visitor_of=caller_of)
