@@ -14,6 +14,7 @@ from tests.questions.test_soundness import OWN, QUESTIONS
 import plainspoken.questions
 from plainspoken.errors import PlainspokenError
 from plainspoken.questions.answer import Answer, answer, answer_at
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.world.event import (
     ActionFailed,
@@ -142,7 +143,7 @@ def test_a_report_and_an_observation_are_named_as_the_source() -> None:
     )
     judge = Judge(log.entries, log.entries[-1].step)
     for question in (*QUESTIONS, *OWN["vineyard"]):
-        found = answer(question, log.entries, full=True)
+        found = answer(question, log.entries, length=Length.FULL)
         assert judge.failures(found.to_json(0, question, 0.0)) == []
 
 

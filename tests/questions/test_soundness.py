@@ -7,6 +7,7 @@ from tests.questions.judge import Judge
 from tests.questions.missions import SETTINGS, run
 
 from plainspoken.questions.answer import answer_at
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 
 QUESTIONS = (
@@ -71,9 +72,9 @@ def test_every_claim_is_true_of_the_log_and_of_the_policy(name: str, seed: int) 
     for at in sorted(chance.sample(range(1, len(entries)), min(8, len(entries) - 1))):
         moment, judge = Moment(entries, at), Judge(entries, at)
         for question in (*QUESTIONS, *OWN[name]):
-            for full in (False, True):
-                found = answer_at(question, moment, full=full).to_json(0, question, 0.0)
-                assert judge.failures(found) == [], (question, at, full, found["answer"])
+            for length in Length:
+                found = answer_at(question, moment, length=length).to_json(0, question, 0.0)
+                assert judge.failures(found) == [], (question, at, length, found["answer"])
                 assert found["answer"], question
 
 

@@ -17,6 +17,7 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.world.event import Entry
 
@@ -28,7 +29,14 @@ from plainspoken.world.event import Entry
 @store_option
 @click.option("--at", type=click.IntRange(min=0), metavar="STEP", help="Answer as if asked then.")
 @batch_options("question")
-@click.option("--full", is_flag=True, help="Tell every fact that matters, not the main ones.")
+@click.option(
+    "--length",
+    type=click.Choice([each.value for each in Length]),
+    default=Length.BRIEF.value,
+    show_default=True,
+    help="One or two sentences, a few, or every fact that matters.",
+)
+@click.option("--full", is_flag=True, help="The same as --length full.")
 @click.option(
     "--rephrase",
     metavar="PROVIDER:NAME",
@@ -45,6 +53,7 @@ def ask(
     at: int | None,
     batch: Path | None,
     out: Path | None,
+    length: str,
     full: bool,
     rephrase: str | None,
     explain: bool,
@@ -65,10 +74,11 @@ def ask(
             f"there is no step {at} in this log", hint=f"its steps are 0 to {len(entries) - 1}"
         )
     moment = Moment(entries, at)
+    wanted = Length.FULL if full else Length(length)
 
     def answered(text: str, id: object = None) -> tuple[Answer, dict[str, Any]]:
         started = time.perf_counter()
-        found = answer_at(text, moment, full=full)
+        found = answer_at(text, moment, length=wanted)
         return found, found.to_json(id, text, time.perf_counter() - started)
 
     if batch is not None:

@@ -20,6 +20,7 @@ from plainspoken.planning.policy import Policy, PolicyNode
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.fluents import Time, fluents_in
+from plainspoken.questions.length import Length
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
 from plainspoken.world.domain import GroundAtom, State
@@ -251,7 +252,8 @@ def answered(situation: Situation, clock: Callable[[], float]) -> Run:
     """A run with our own answer and its claims."""
     moment = Moment(situation.entries)
     began = clock()
-    found = answer_at(situation.question, moment, full=situation.full)
+    length = Length.FULL if situation.full else Length.BRIEF
+    found = answer_at(situation.question, moment, length=length)
     return Run(situation, found.text, _claimed(found, situation), clock() - began)
 
 

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from plainspoken.planning.policy import NodeId
 from plainspoken.questions.kind import Kind
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Happening, Moment
 from plainspoken.questions.morphology import sentence
 from plainspoken.world.domain import GroundAction, GroundAtom
@@ -93,12 +94,23 @@ class Draft:
     """An answer in the making. Every atom that comes in is looked up in the log first."""
 
     moment: Moment
+    length: Length = Length.BRIEF
     sentences: list[str] = field(default_factory=list)
     claims: set[Claim] = field(default_factory=set)
     denied: set[Claim] = field(default_factory=set)
     actions: set[ActionClaim] = field(default_factory=set)
     evidence: set[Evidence] = field(default_factory=set)
     known: bool = True
+
+    @property
+    def full(self) -> bool:
+        """Whether every fact that matters is wanted."""
+        return self.length is Length.FULL
+
+    @property
+    def room(self) -> int:
+        """Words that there is room for."""
+        return self.length.words - sum(len(each.split()) for each in self.sentences)
 
     def say(self, text: str) -> None:
         """Add a sentence."""

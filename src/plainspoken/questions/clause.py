@@ -17,7 +17,8 @@ from plainspoken.questions.morphology import (
 )
 
 _PARTICLES = frozenset({"away", "back", "down", "in", "off", "on", "out", "over", "up"})
-Tense = Literal["now", "was", "will", "may"]
+Tense = Literal["now", "was", "will", "may", "still", "stays"]
+"""`still`: as before, and now; `stays`: now, and as long as anything is foreseen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,10 @@ class Clause:
                 return f"{_will(self.subject, negative=negative)} {self.verb}"
             case "may":
                 return f" may {'not ' if negative else ''}{self.verb}"
+            case "still":
+                return f" still {self._verb('now', negative=negative).strip()}"
+            case "stays":
+                return f"{_will(self.subject, negative=negative)} still {self.verb}"
 
 
 def _will(subject: str, *, negative: bool) -> str:
@@ -95,6 +100,12 @@ def _be(subject: str, tense: Tense, *, several: bool, negative: bool) -> str:
             return f"{_will(subject, negative=negative)} be"
         case "may":
             return f" may {'not ' if negative else ''}be"
+        case "still" if negative:
+            return f" still{_be(subject, 'now', several=several, negative=True)}"
+        case "still":
+            return f"{_be(subject, 'now', several=several, negative=False)} still"
+        case "stays":
+            return f"{_will(subject, negative=negative)} {'be' if negative else 'stay'}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,12 +147,13 @@ class Deed:
         """`checked mug 1`, after `have`."""
         return self._with(participle(self.verb))
 
-    def pronoun(self, *, known: Sequence[str]) -> Deed:
+    def pronoun(self, *, known: Sequence[Thing]) -> Deed:
         """The deed with `it` for its first thing, where that is the one thing just spoken of."""
-        if len(known) != 1:
+        if len(known) != 1 or known[0].words[0].isupper():  # A person is no "it".
             return self
+        word = "it" if known[0].name else "them"  # Several things as one have no name.
         parts = tuple(
-            Thing(part.name, "it") if isinstance(part, Thing) and part.name == known[0] else part
+            Thing(part.name, word) if isinstance(part, Thing) and part == known[0] else part
             for part in self.parts
         )
         if parts[:1] and parts[0] in _PARTICLES and parts[1:2] and parts != self.parts:

@@ -14,11 +14,12 @@ from plainspoken.questions.past import is_motion, tell_whether
 from plainspoken.questions.prospect import tell_when_ahead
 from plainspoken.questions.question import Question
 from plainspoken.questions.spelling import normal
+from plainspoken.questions.standing import say_facts
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.event import ActionFinished, ObservationMade, ReportReceived
 
 
-def tell_state(draft: Draft, question: Question, *, full: bool) -> None:
+def tell_state(draft: Draft, question: Question) -> None:
     """Answer what is so."""
     asked = question.referents
     plain = normal(question.text)
@@ -43,11 +44,8 @@ def tell_state(draft: Draft, question: Question, *, full: bool) -> None:
         draft.known = False
         draft.say("I don't know which fact you mean, or I don't keep track of it")
         draft.say(hint(draft.moment))
-    if full:
-        rest = sorted(draft.moment.fluents)
-        said = facts_together(draft.moment.lexicon, rest, most=12)
-        draft.now(rest)
-        draft.say(f"All in all, {listed([saying.text for saying in said])}" if said else "")
+    if draft.full:
+        say_facts(draft, sorted(draft.moment.fluents), draft.now, opening="All in all,")
 
 
 def _best(atoms: Sequence[GroundAtom]) -> list[GroundAtom]:

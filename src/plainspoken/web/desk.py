@@ -35,6 +35,7 @@ from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
 from plainspoken.questions.dialogue import Dialogue
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.work.shift import robots_of, utc_now
 from plainspoken.work.worker import RobotFor, Worker
@@ -177,7 +178,8 @@ class Desk:
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
         moment = Moment(self._entries(mission), at)
-        return (dialogue or Dialogue()).ask(text, moment, full=full)
+        length = Length.FULL if full else Length.BRIEF
+        return (dialogue or Dialogue()).ask(text, moment, length=length)
 
     # -- watching ------------------------------------------------------------------------------
 
