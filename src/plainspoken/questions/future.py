@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from functools import partial
 
 from plainspoken.planning.policy import PolicyNode
 from plainspoken.questions.claim import ActionClaim, Claim, Draft
@@ -26,13 +27,16 @@ from plainspoken.questions.prospect import tell_whether_will
 from plainspoken.questions.question import Question, Span
 from plainspoken.questions.reason import open_atoms
 from plainspoken.questions.standing import say_facts, say_only
-from plainspoken.world.domain import GroundAction, GroundAtom
+from plainspoken.world.domain import GroundAction, GroundAtom, State
+from plainspoken.world.event import Instant
 from plainspoken.world.symbol import flat
 
 MOST_STEPS = 3
 """Sure actions that a brief answer tells one by one."""
 ROOM_FOR_REST = 14
 """Words kept for what stays as it is."""
+ROOM_FOR_JOINTS = 6
+"""Words that join what is told further: whatever happens, I'll also, and, meanwhile."""
 ROOM_FOR_LOOP = 15
 """Words left that there must be for saying what is tried until it works."""
 
@@ -81,8 +85,7 @@ def tell_future(draft: Draft, question: Question) -> None:
         return
     most = {Length.BRIEF: MOST_STEPS, Length.NORMAL: 2 * MOST_STEPS}.get(draft.length, 12)
     told = _tell_sure(draft, ahead, most, started=started is not None)
-    if question.span is not Span.LAST or draft.full:  # Else only the next step is wanted.
-        told |= _tell_further(draft, ahead, told)
+    told |= _tell_further(draft, ahead, told)
     if not draft.full:
         _tell_rest(draft, ahead, told)
     else:
@@ -224,13 +227,13 @@ def _tell_further(
         key=lambda action: (is_motion(moment, action), natural(action)),
     )
     later = [*dict.fromkeys(_in_order(ahead, later))]
-    shown = _fitting_kinds(draft, later)
+    shown = _fitting_kinds(draft, ahead, later)
     groups = deeds_together(lexicon, shown)
     claim_sure(draft, ahead, shown)
     sure = len(ahead.sure_actions) == len(ahead.reachable) - 1
     if groups:
-        opening = "After that" if sure else "Whatever happens,"
-        text = future_deeds([deed for deed, _ in groups], opening)
+        opening = "Later" if sure else "Whatever happens,"
+        text = future_deeds(referring([deed for deed, _ in groups]), opening)
         if told and not sure:
             text = re.sub(r"(?<=happens, I'll)", " also", text)
         draft.say(text)
@@ -248,19 +251,48 @@ def _in_order(ahead: Foresight, actions: Sequence[GroundAction]) -> list[GroundA
     return sorted(actions, key=lambda action: (names.index(action.split()[0]), natural(action)))
 
 
-def _fitting_kinds(draft: Draft, actions: Sequence[GroundAction]) -> list[GroundAction]:
-    """The actions whose kinds there is room to tell; those that only lead somewhere come last."""
-    moment = draft.moment
-    kept: set[str] = set()
-    names = list(dict.fromkeys(action.split()[0] for action in actions))
-    motions = {a.split()[0] for a in actions if is_motion(moment, a)}
-    for name in sorted(names, key=lambda each: each in motions):
-        tried = [action for action in actions if action.split()[0] in {*kept, name}]
-        groups = deeds_together(moment.lexicon, tried)
-        words = len(future_deeds([deed for deed, _ in groups]).split())
-        if words <= draft.room - ROOM_FOR_REST:
-            kept.add(name)
-    return [action for action in actions if action.split()[0] in kept]
+def _fitting_kinds(
+    draft: Draft, ahead: Foresight, actions: Sequence[GroundAction]
+) -> list[GroundAction]:
+    """The actions whose kinds there is room to tell, those that tell most in few words first.
+
+    They share the room with what stays as it is.
+    """
+    lexicon = draft.moment.lexicon
+    rivals: list[tuple[int, str, _Told]] = []
+    for name in dict.fromkeys(action.split()[0] for action in actions):
+        own = [action for action in actions if action.split()[0] == name]
+        deeds = [deed for deed, _ in deeds_together(lexicon, own)]
+        words = max(len(future_deeds(deeds).split()) - 1, 1)  # "I'll" is said once for all.
+        rivals.append((words, name, _told(draft, partial(claim_sure, ahead=ahead, told=own))))
+    staying = [atom for atom in _kept(ahead) if draft.moment.changes(atom)]
+    for saying in facts_together(lexicon, staying, "stays"):
+        told = _told(draft, partial(_claim_kept, ahead=ahead, atoms=saying.atoms))
+        rivals.append((len(saying.text.split()), "", told))
+    room = draft.room - ROOM_FOR_JOINTS
+    known: _Told = set()
+    chosen: set[str] = set()
+    while fitting := [each for each in rivals if each[0] <= room]:
+        best = max(fitting, key=lambda each: (len(each[2] - known) + 1) / each[0])
+        rivals.remove(best)
+        room -= best[0]
+        known |= best[2]
+        chosen.add(best[1])
+    return [action for action in actions if action.split()[0] in chosen]
+
+
+_Told = set[tuple[GroundAtom, Instant]]
+"""Facts, each with an instant that it is claimed for."""
+
+
+def _told(draft: Draft, claim: Callable[[Draft], None]) -> _Told:
+    """What a claim would tell that has not been told."""
+    trial = Draft(draft.moment, draft.length)
+    claim(trial)
+    found = {(c.fluent, i) for c in trial.claims for i in range(c.start, c.end + 1)}
+    now = draft.moment.now
+    known = {(c.fluent, i) for c in draft.claims for i in range(c.start, c.end + 1)}
+    return {each for each in found - known if each[1] >= now}
 
 
 def _claim_end(draft: Draft, ahead: Foresight, atoms: Sequence[GroundAtom]) -> None:
@@ -275,7 +307,7 @@ def _tell_rest(draft: Draft, ahead: Foresight, told: Collection[GroundAction]) -
     """What stays as it is to the end, come what may; or that all else does."""
     moment = draft.moment
     nodes = [ahead.policy.node(id) for id in ahead.reachable]
-    kept = frozenset.intersection(*(node.state for node in nodes))
+    kept = _kept(ahead)
     staying = [atom for atom in ranked(draft, kept) if moment.changes(atom)]
     if {node.action for node in nodes} - {None} <= set(told):
         _claim_kept(draft, ahead, staying)
@@ -288,6 +320,11 @@ def _tell_rest(draft: Draft, ahead: Foresight, told: Collection[GroundAction]) -
 
     if not say_only(draft, changing, staying, claim, "will change", others="stays"):
         say_facts(draft, staying, claim, "stays", "Meanwhile")
+
+
+def _kept(ahead: Foresight) -> State:
+    """What stays as it is now in every execution."""
+    return frozenset.intersection(*(ahead.policy.node(id).state for id in ahead.reachable))
 
 
 def _claim_kept(draft: Draft, ahead: Foresight, atoms: Sequence[GroundAtom]) -> None:
