@@ -387,7 +387,7 @@ def _tell_end(draft: Draft, ahead: Foresight) -> None:
     draft.node(ahead.node.id)
     words = [lexicon.deed(action).bare for action in sorted(last, key=natural)]
     chance = ", depending on how things turn out" if len(words) > 1 else ""
-    draft.say(f"The last thing I do is to {listed(words[:4], 'or')}{chance}")
+    draft.say(f"The last thing I'll do is {listed(words[:4], 'or')}{chance}")
 
 
 def claim_path(draft: Draft, ahead: Foresight, path: Sequence[PolicyNode]) -> None:

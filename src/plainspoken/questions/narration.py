@@ -48,7 +48,9 @@ def facts_together(
         clause, named = members[0][1], True
         if len(members) > 1:
             subjects = list(dict.fromkeys(each.subject for _, each in members))
-            words, named = _subjects(lexicon, [atom for atom, _ in members], subjects, most)
+            words, named = _subjects(
+                lexicon, [atom for atom, _ in members], subjects, most, negative=negative
+            )
             several = len(subjects) > 1 and " of " not in subjects[0]
             clause = replace(clause, subject=words, several=several)
         clauses.append(_Said(clause, tuple(atom for atom, _ in members), named))
@@ -93,13 +95,19 @@ def natural(text: str) -> tuple[tuple[str, int], ...]:
 
 
 def _subjects(
-    lexicon: Lexicon, atoms: Sequence[GroundAtom], subjects: Sequence[str], most: int
+    lexicon: Lexicon,
+    atoms: Sequence[GroundAtom],
+    subjects: Sequence[str],
+    most: int,
+    *,
+    negative: bool,
 ) -> tuple[str, bool]:
     """Several subjects as one, and whether it tells which they are: `all four mugs`, `17 mugs`."""
     names = dict.fromkeys(atom.split()[1] for atom in atoms if " " in atom)
     kinds = {lexicon.type_words(name) for name in names}
     noun = next(iter(kinds)) if len(kinds) == 1 else "thing"
-    if len(names) == len(subjects) > 2 and kinds == {noun}:
+    # "All four mugs aren't clean" may mean that some are.
+    if len(names) == len(subjects) > 2 and kinds == {noun} and not negative:
         alike = [each for each in lexicon.problem.objects if lexicon.type_words(each) == noun]
         if len(alike) == len(names):
             return f"all {counted(len(names), noun)}", True
@@ -165,25 +173,25 @@ def spoken(deeds: Sequence[tuple[str, str]], *, auxiliary: str = "") -> str:
             runs[-1][1].append(words)
         else:
             runs.append((subject, [words]))
-    said = [
-        f"{subject}{_will(subject) if auxiliary == 'will' else ''} {listed(words)}"
-        for subject, words in runs
-    ]
+    said = [f"{subject}{_auxiliary(auxiliary, subject)} {listed(words)}" for subject, words in runs]
     return ", and ".join(filter(None, (", ".join(said[:-1]), said[-1]))) if said else ""
 
 
-def _will(subject: str) -> str:
-    return "'ll" if subject == "I" else " will"
+def _auxiliary(word: str, subject: str) -> str:
+    if word == "have":
+        return "'ve" if subject == "I" else " has"
+    return {"": "", "will": "'ll" if subject == "I" else " will"}[word]
 
 
-def past_deeds(deeds: Sequence[tuple[Deed, int]]) -> str:
-    """`I checked mugs 0 and 1, picked mug 1 and rinsed it`."""
+def past_deeds(deeds: Sequence[tuple[Deed, int]], *, perfect: bool = False) -> str:
+    """`I checked mugs 0 and 1, picked mug 1 and rinsed it`; `I've checked ...`."""
     said = referring([deed for deed, _ in deeds])
     return spoken(
         [
-            (deed.subject, often(deed.did, number))
+            (deed.subject, often(deed.done if perfect else deed.did, number))
             for deed, (_, number) in zip(said, deeds, strict=True)
-        ]
+        ],
+        auxiliary="have" if perfect else "",
     )
 
 
@@ -222,8 +230,8 @@ def _things(deed: Deed) -> list[Thing]:
 def about_it(text: str, deed: Deed) -> str:
     """A saying with `it` for its subject, where the deed has named that and nothing else."""
     things = [part for part in deed.parts if isinstance(part, Thing)]
-    if len(things) != 1 or not things[0].name:
-        return text
+    if len(things) != 1 or not things[0].name or things[0].words[0].isupper():
+        return text  # "It" would mean nothing, or a person.
     words = re.escape(things[0].words)
     text = re.sub(rf"^{words} (is|was|has|isn't)\b", r"it \1", text)
     return re.sub(rf"^the (\w+) of {words} ", r"its \1 ", text)

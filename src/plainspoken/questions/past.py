@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from plainspoken.questions.age import lasting
 from plainspoken.questions.claim import ActionClaim, Draft
 from plainspoken.questions.clause import Deed, enumerated
 from plainspoken.questions.moment import Happening, Moment
@@ -129,7 +130,14 @@ def outcome(moment: Moment, happening: Happening) -> list[GroundAtom]:
     if len(possible) < 2:
         return []
     common = frozenset.intersection(*possible)
-    return sorted(atom for atom in after - before if atom not in common and atom in moment.state)
+    done = participle(moment.lexicon.deed(happening.action).verb)
+    return sorted(
+        atom
+        for atom in after - before
+        if atom not in common
+        and atom in moment.state
+        and moment.lexicon.clause(atom).complement != done  # Scanned it, and now it is scanned.
+    )
 
 
 def _tell_all(draft: Draft, happenings: Sequence[Happening]) -> None:
@@ -141,10 +149,11 @@ def _tell_all(draft: Draft, happenings: Sequence[Happening]) -> None:
     told = _most_telling(draft, happenings)
     groups = deeds_together(lexicon, [each.action for each in told])
     draft.did_all(told)
-    opening = past_deeds(groups)
+    several = len(happenings) > 1
+    opening = past_deeds(groups, perfect=several)
     if len(told) < len(happenings):
         opening += f", among other things: {counted(len(happenings), 'action')} in all"
-    draft.say(f"So far {opening}" if len(happenings) > 1 else opening)
+    draft.say(f"So far {opening}" if several else opening)
     came = outcome(moment, last)
     spare = len(groups) > 3 and draft.room > ROOM_FOR_REST
     if groups[-1][0] != _deed(moment, last) and (came or last not in told or spare):
@@ -310,7 +319,7 @@ def _count_all(draft: Draft, question: Question) -> None:
             draft.say(f"No, {clause.never()}" if question.yes_no else f"Not once: {clause.never()}")
         else:
             yes = "Yes, " if question.yes_no else ""
-            draft.say(f"{yes}{clause.said('was')} {times(len(runs))} so far")
+            draft.say(f"{yes}{clause.ever()} {times(len(runs))} so far")
         return
     happenings = moment.happenings
     draft.evidence.update(each.step for each in happenings[-1:])
@@ -346,16 +355,14 @@ def tell_so_far(draft: Draft, question: Question, *, hoped: bool = True) -> None
         clause = lexicon.clause(atom)
         often_so = f" {times(len(runs))}" if len(runs) > 1 else ""
         if atom in moment.state:
-            since = runs[-1][0]
-            when = "from the start" if since == 0 else f"since {ago(moment.now - since)}"
             draft.say(
-                f"{yes}{clause.said()}, {when}"
+                f"{yes}{lasting(draft, atom)}"
                 if not often_so
-                else (f"{yes}{clause.said('was')}{often_so}, and it is so now")
+                else f"{yes}{clause.ever()}{often_so}, and it is so now"
             )
         else:
             last = ago(moment.now - runs[-1][1])
-            draft.say(f"{yes}{clause.said('was')}{often_so}, the last time {last}")
+            draft.say(f"{yes}{clause.ever()}{often_so}, the last time {last}")
 
 
 def _meant_facts(question: Question, moment: Moment) -> list[GroundAtom]:

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from plainspoken.questions.morphology import participle
 from plainspoken.world.domain import (
     Action,
     AllOf,
@@ -160,7 +161,7 @@ class _Writer:
             self._append("to", moved[1])
         for name in self._mentioned:
             self._placed(name, skip={self._me, *(moved or ())})
-        if spoken_to and not self._mentioned:
+        if spoken_to and not self._mentioned and " to " not in self._rest:
             self._topic(moved)
         return Template(self._verb, tuple(self._parts))
 
@@ -235,6 +236,8 @@ class _Writer:
                 continue
             if word in _PLACE:
                 self._append("to" if moved and word == "at" else word, where)
+            elif atom.predicate == participle(self._verb):
+                self._append("to", where)  # `given ?medicine ?patient`, by giving it.
 
     def _topic(self, moved: tuple[str, str] | None) -> None:
         """Name the one thing that changes, where the landmark's words name none."""
