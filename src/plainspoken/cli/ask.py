@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,14 @@ from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_of, store_option
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl
+from plainspoken.pipeline import bundled
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
+from plainspoken.questions.retelling import retold
+from plainspoken.questions.translated import LANGUAGES, Words, read_words
+from plainspoken.world.document import read_text
 from plainspoken.world.event import Entry
 
 
@@ -35,6 +40,16 @@ from plainspoken.world.event import Entry
     default=Length.BRIEF.value,
     show_default=True,
     help="One or two sentences, a few, or every fact that matters.",
+)
+@click.option(
+    "--language",
+    type=click.Choice(["en", *LANGUAGES]),
+    default="en",
+    show_default=True,
+    help="The language of the answer; the question is in English.",
+)
+@click.option(
+    "--words", type=FILE, metavar="W", help="The words of the domain in it (vineyard: none needed)."
 )
 @click.option("--full", is_flag=True, help="The same as --length full.")
 @click.option(
@@ -54,6 +69,8 @@ def ask(
     batch: Path | None,
     out: Path | None,
     length: str,
+    language: str,
+    words: Path | None,
     full: bool,
     rephrase: str | None,
     explain: bool,
@@ -76,9 +93,13 @@ def ask(
     moment = Moment(entries, at)
     wanted = Length.FULL if full else Length(length)
 
+    spoken = None if language == "en" else _words(words, moment)
+
     def answered(text: str, id: object = None) -> tuple[Answer, dict[str, Any]]:
         started = time.perf_counter()
         found = answer_at(text, moment, length=wanted)
+        if spoken is not None:
+            found = replace(found, text=retold(found, moment, spoken))
         return found, found.to_json(id, text, time.perf_counter() - started)
 
     if batch is not None:
@@ -91,6 +112,18 @@ def ask(
         _say_rephrased(answered(question)[0], moment, rephrase, explain=explain)
     else:
         click.echo(answered(question)[0].text)
+
+
+def _words(path: Path | None, moment: Moment) -> Words:
+    """The words of a language other than English; those of the bundled vineyard are at hand."""
+    if path is None:
+        path = bundled("vineyard") / "words.it.json"
+        if read_text(path.with_name("domain.pddl")) != moment.mission.domain:
+            raise PlainspokenError(
+                "there are no words for this domain in that language",
+                hint=f"give them with --words; {path} is an example",
+            )
+    return read_words(path, moment.problem)
 
 
 def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> None:

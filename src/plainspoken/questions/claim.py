@@ -62,6 +62,7 @@ class Answer:
     """Words, and what they rest on.
 
     known:  False where the answer is that there is none
+    rest:   whether it says that nothing else changes
     denied: atoms that the words say are false, at these instants
     """
 
@@ -72,6 +73,7 @@ class Answer:
     denied: tuple[Claim, ...] = ()
     actions: tuple[ActionClaim, ...] = ()
     known: bool = True
+    rest: bool = False
 
     def to_json(self, id: object, question: str, seconds: float) -> dict[str, Any]:
         """The line that `ask --batch` writes."""
@@ -101,6 +103,7 @@ class Draft:
     actions: set[ActionClaim] = field(default_factory=set)
     evidence: set[Evidence] = field(default_factory=set)
     known: bool = True
+    rest: bool = False
 
     @property
     def full(self) -> bool:
@@ -175,6 +178,7 @@ class Draft:
             tuple(_merged(self.denied)),
             tuple(sorted(self.actions, key=lambda claim: (claim.at, claim))),
             self.known,
+            self.rest,
         )
 
     def node(self, id: NodeId) -> None:

@@ -27,7 +27,7 @@ from plainspoken.questions.prospect import tell_whether_will
 from plainspoken.questions.question import Question, Span
 from plainspoken.questions.reason import open_atoms
 from plainspoken.questions.standing import say_facts, say_only
-from plainspoken.world.domain import GroundAction, GroundAtom, State
+from plainspoken.world.domain import GroundAction, GroundAtom
 from plainspoken.world.event import Instant
 from plainspoken.world.symbol import flat
 
@@ -265,7 +265,7 @@ def _fitting_kinds(
         deeds = [deed for deed, _ in deeds_together(lexicon, own)]
         words = max(len(future_deeds(deeds).split()) - 1, 1)  # "I'll" is said once for all.
         rivals.append((words, name, _told(draft, partial(claim_sure, ahead=ahead, told=own))))
-    staying = [atom for atom in _kept(ahead) if draft.moment.changes(atom)]
+    staying = [atom for atom in ahead.kept if draft.moment.changes(atom)]
     for saying in facts_together(lexicon, staying, "stays"):
         told = _told(draft, partial(_claim_kept, ahead=ahead, atoms=saying.atoms))
         rivals.append((len(saying.text.split()), "", told))
@@ -307,11 +307,12 @@ def _tell_rest(draft: Draft, ahead: Foresight, told: Collection[GroundAction]) -
     """What stays as it is to the end, come what may; or that all else does."""
     moment = draft.moment
     nodes = [ahead.policy.node(id) for id in ahead.reachable]
-    kept = _kept(ahead)
+    kept = ahead.kept
     staying = [atom for atom in ranked(draft, kept) if moment.changes(atom)]
     if {node.action for node in nodes} - {None} <= set(told):
         _claim_kept(draft, ahead, staying)
         draft.say("Everything else stays as it is")
+        draft.rest = True
         return
     changing = frozenset().union(*(node.state for node in nodes)) - kept
 
@@ -320,11 +321,6 @@ def _tell_rest(draft: Draft, ahead: Foresight, told: Collection[GroundAction]) -
 
     if not say_only(draft, changing, staying, claim, "will change", others="stays"):
         say_facts(draft, staying, claim, "stays", "Meanwhile")
-
-
-def _kept(ahead: Foresight) -> State:
-    """What stays as it is now in every execution."""
-    return frozenset.intersection(*(ahead.policy.node(id).state for id in ahead.reachable))
 
 
 def _claim_kept(draft: Draft, ahead: Foresight, atoms: Sequence[GroundAtom]) -> None:

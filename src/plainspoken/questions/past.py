@@ -202,6 +202,7 @@ def _tell_rest(draft: Draft, told: Sequence[Happening]) -> None:
     if not changed:
         draft.now(atom for atom in sorted(moment.fluents) if moment.since(atom) == 0)
         draft.say("Nothing else has changed")
+        draft.rest = True
         return
     kept = [atom for atom in sorted(moment.fluents) if moment.since(atom) == 0]
     changing = [a for a, runs in moment.runs.items() if runs != [(0, moment.now)]]

@@ -198,7 +198,7 @@ class _Search:
 def purpose_words(draft: Draft, reason: Reason) -> str:
     """` so that I can sign off line 1`: the first step of a reason, behind the action."""
     lexicon = draft.moment.lexicon
-    goal = _last_of_a_kind(reason)
+    goal = further_link(reason)
     if goal is None:
         return ""
     draft.node(goal.node)
@@ -207,7 +207,7 @@ def purpose_words(draft: Draft, reason: Reason) -> str:
     return f" so that {deed.subject} can {deed.bare}"
 
 
-def _last_of_a_kind(reason: Reason) -> Link | None:
+def further_link(reason: Reason) -> Link | None:
     """The first later link whose action is of another kind: driving on to drive on is no reason."""
     first = reason.links[0].action.split()[0]
     for link in reason.links[1:]:
@@ -307,7 +307,7 @@ def _say_reason(
         return
     for link in reason.links:
         draft.node(link.node)
-    goal = _last_of_a_kind(reason)
+    goal = further_link(reason)
     words = ""
     if goal is not None:
         (deed,) = referring([lexicon.deed(goal.action)], lexicon.deed(reason.links[0].action))
