@@ -93,3 +93,24 @@ def test_the_judge_finds_what_is_false() -> None:
     assert judge.failures(
         {**false, "actions": [{"action": "move rob l0 l1", "at": 2, "certainty": "was"}]}
     )
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_a_brief_answer_claims_only_what_its_words_speak_of(name: str) -> None:
+    entries = run(name, 2)
+    for at in range(1, len(entries), 3):
+        moment = Moment(entries, at)
+        lexicon = moment.lexicon
+        for question in QUESTIONS:
+            found = answer_at(question, moment)
+            text = found.text.lower()
+            if found.rest or "only" in text:
+                continue  # Then it speaks of all the others, too.
+            changed = {claim.at for claim in found.actions}
+            for claim in found.claims:
+                clause = lexicon.clause(claim.fluent)
+                # The noun of it, alone or in a list: "grapes 0 and 1".
+                nouns = [lexicon.type_words(each) for each in claim.fluent.split()[1:]]
+                spoken = [clause.complement, clause.subject, *nouns]
+                by_a_deed = claim.start in changed or claim.end + 1 in changed
+                assert by_a_deed or any(each.lower() in text for each in spoken), (text, claim)

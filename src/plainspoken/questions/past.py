@@ -213,7 +213,7 @@ def _tell_rest(draft: Draft, told: Sequence[Happening]) -> None:
 
 
 def _just(moment: Moment, last: Happening) -> str:
-    return "Most recently" if last.at == moment.now else f"Last, {ago(moment.now - last.at)},"
+    return "Most recently" if last.at == moment.now else ago(moment.now - last.at)
 
 
 def is_motion(moment: Moment, action: str) -> bool:

@@ -106,7 +106,8 @@ def _tell_action(draft: Draft) -> None:
         draft.actions.add(ActionClaim(node.action, moment.now + 1, "will"))
         deed = lexicon.deed(node.action)
         will = "I'm about to" if deed.subject == "I" else f"{deed.subject} is about to"
-        parts.append(f"{will} {deed.bare}")
+        again = moment.happenings and moment.happenings[-1].action == node.action
+        parts.append(f"{will} {'try again' if again and parts else deed.bare}")
     elif moment.chosen is None:
         parts.append("I'm working out how to do what you asked")
     elif not parts:

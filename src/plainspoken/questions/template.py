@@ -151,7 +151,7 @@ class _Writer:
         for index, name in enumerate(self._names):
             if name != self._me:
                 self._slot(index)
-        moved = self._motion(self._me) if self._me else None
+        moved = self._motion(self._me) if self._me else self._own_motion()
         # "To pick up" names nothing yet, "to ask a human" does.
         says_whom = not set(self._rest.split()) <= _PARTICLES
         spoken_to = says_whom and (self._from_landmark or self._verb in _SPEAKING)
@@ -200,6 +200,16 @@ class _Writer:
                     and gone.terms[1] != come.terms[1]
                 ):
                     return gone.terms[1], come.terms[1]
+        return None
+
+    def _own_motion(self) -> tuple[str, str] | None:
+        """The same of a robot that is no object of the problem: `robot-in ?room`."""
+        for gone in self._shape.deleted:
+            for come in self._shape.added:
+                same = gone.predicate == come.predicate and gone.terms != come.terms
+                where = re.split(r"[-_]+", gone.predicate)[-1] in _PLACE
+                if same and where and len(gone.terms) == len(come.terms) == 1:
+                    return gone.terms[0], come.terms[0]
         return None
 
     def _direct_object(self, moved: tuple[str, str] | None) -> None:
