@@ -1,10 +1,11 @@
 """Nothing false is ever claimed: every claim of random answers goes before an outside judge."""
 
+import re
 from random import Random
 
 import pytest
 from tests.questions.judge import Judge
-from tests.questions.missions import SETTINGS, run
+from tests.questions.missions import FURTHER, SETTINGS, run
 
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.length import Length
@@ -114,3 +115,22 @@ def test_a_brief_answer_claims_only_what_its_words_speak_of(name: str) -> None:
                 spoken = [clause.complement, clause.subject, *nouns]
                 by_a_deed = claim.start in changed or claim.end + 1 in changed
                 assert by_a_deed or any(each.lower() in text for each in spoken), (text, claim)
+
+
+@pytest.mark.parametrize("name", [*SETTINGS, *FURTHER])
+@pytest.mark.parametrize("length", Length)
+def test_no_answer_holds_names_of_the_files_or_logic(name: str, length: Length) -> None:
+    entries = run(name, 4, most=60)
+    problem = Moment(entries).problem
+    codes = [o for o in problem.objects if re.fullmatch(r"[a-z]{1,2}\d*|.*_.*", o)]
+    files = {*codes, *(p for p in problem.domain.predicates if "-" in p)}
+    files -= {"a", "i"}
+    foreign = re.compile(
+        rf"(?<![\w-])(?:{'|'.join(map(re.escape, sorted(files))) or '(?!)'})(?![\w-])"
+        r"|[a-z]_[a-z]|\?[a-z]|[&|~^<>{}]|\b[GFXUWR] ?\(|\(|\bLTL|\bnode \d|\bNone\b"
+    )
+    for at in range(1, len(entries), 6):
+        moment = Moment(entries, at)
+        for question in QUESTIONS:
+            text = answer_at(question, moment, length=length).text
+            assert not foreign.search(text), text
