@@ -81,13 +81,22 @@ def _described(said: Said, vocabulary: Vocabulary) -> Mapping[str, tuple[str, ..
     }
 
 
+def example_of(
+    utterance: str, tokens: tuple[str, ...] | None, vocabulary: Vocabulary, domain: str
+) -> Example:
+    """An utterance as it is read, with what to write."""
+    said = marked(Sentence.of(utterance, vocabulary))
+    return Example(said, tokens, domain, _described(said, vocabulary))
+
+
 def symbols_of(said: Said) -> tuple[str, ...]:
     """The symbols marked, in the order of their first marks."""
     return tuple(dict.fromkeys(each.symbol for each in said if isinstance(each, Mark)))
 
 
 @cache
-def _vocabulary(path: Path) -> Vocabulary:
+def vocabulary_of(path: Path) -> Vocabulary:
+    """The landmarks of a file, ready to be looked up."""
     return Vocabulary.of(read_landmarks(path))
 
 
@@ -103,35 +112,34 @@ def read_examples(path: Path) -> Iterator[Example]:
         if "symbols" in row:
             continue  # places of the row's own: there is nothing else to learn of them
         domain = row.get("domain")
-        vocabulary = _vocabulary(landmarks_beside(path, domain))
-        said = marked(Sentence.of(row["utterance"], vocabulary))
+        vocabulary = vocabulary_of(landmarks_beside(path, domain))
         where = f"{path.parent.name}/{domain}"
         if "why" in row:
             # What clashes is found by its formula, not by its words.
             if "contradict" not in row["why"]:
-                yield Example(said, None, where, _described(said, vocabulary))
+                yield example_of(row["utterance"], None, vocabulary, where)
             continue
         literal = parse(row["literal"])
         tokens = written(literal, parse(row.get("formula", row["literal"])))
-        yield Example(said, tokens, where, _described(said, vocabulary))
+        yield example_of(row["utterance"], tokens, vocabulary, where)
 
 
 def paraphrased(paths: Sequence[Path], count: int, seed: int) -> Iterator[Example]:
     """Random patterns over the landmarks of some sites, said as `logic.english` says them."""
     draw = random.Random(seed)
-    vocabularies = [_vocabulary(path) for path in paths]
+    vocabularies = [vocabulary_of(path) for path in paths]
     made = 0
     while made < count:
         vocabulary = draw.choice(vocabularies)
         patterns = _drawn(vocabulary.landmarks, draw)
         literal = conjunction(*(each.literal for each in patterns))
         executable = conjunction(*(each.executable for each in patterns))
-        said = marked(Sentence.of(say(executable, vocabulary.landmarks), vocabulary))
         try:
             tokens = written(literal, executable)
         except NotationError:
             continue
-        example = Example(said, tokens, "paraphrase", _described(said, vocabulary))
+        said = say(executable, vocabulary.landmarks)
+        example = example_of(said, tokens, vocabulary, "paraphrase")
         if example.is_reachable:
             made += 1
             yield example

@@ -15,6 +15,7 @@ from torch.nn import functional
 from training.augmentation import MOST_TOKENS, Augmentation
 from training.examples import Example, paraphrased, read_examples
 from training.model import Batch, Reader, batch_of, kept_pieces, pack
+from training.tours import toured
 
 from plainspoken.language.network import SLOTS
 from plainspoken.language.wordpiece import Pieces
@@ -25,7 +26,7 @@ HELD_OUT = (
     "crowd/campus", "spoken/care-home",
 )  # fmt: skip
 """Never trained on: what the reader makes of them is measured by benchmarks/reader.py."""
-SEEN = ("cellar", "clinic", "site")
+SEEN = ("cellar", "clinic", "site", "first-sight-1", "first-sight-2", "first-sight-3")
 RATE = 1.5e-4
 WARM = 0.06
 """The share of steps in which the rate of learning rises."""
@@ -39,6 +40,7 @@ def main() -> None:
     )
     parser.add_argument("--out", type=Path, default=ROOT / "src/plainspoken/language/reader.npz")
     parser.add_argument("--paraphrases", type=int, default=1200)
+    parser.add_argument("--tours", type=int, default=1200)
     parser.add_argument("--epochs", type=int, default=9)
     parser.add_argument("--encoders", type=int, default=4)
     parser.add_argument("--decoders", type=int, default=2)
@@ -47,7 +49,7 @@ def main() -> None:
     asked = parser.parse_args()
     weights = asked.weights or packaged()
     torch.manual_seed(asked.seed)
-    examples = gathered(asked.paraphrases)
+    examples = gathered(asked.paraphrases, asked.tours)
     vocabulary = (weights / "vocab.txt").read_text(encoding="utf-8").splitlines()
     kept = kept_pieces(vocabulary)
     pieces = [vocabulary[number] for number in kept]
@@ -66,13 +68,13 @@ def packaged() -> Path:
     return Path(found.origin).parent / "model"
 
 
-def gathered(paraphrases: int) -> list[Example]:
-    """The examples of every corpus, and paraphrases; those that cannot be learned left out."""
+def gathered(paraphrases: int, tours: int) -> list[Example]:
+    """The examples of every corpus, paraphrases, tours; those that cannot be learned left out."""
     files = sorted(
         (
             *ROOT.glob("training/corpus/*/*.jsonl"),
             *ROOT.glob("examples/*/sentences.jsonl"),
-            *(ROOT / f"benchmarks/corpora/{name}/sentences.jsonl" for name in SEEN),
+            *(path for name in SEEN for path in ROOT.glob(f"benchmarks/corpora/{name}/*.jsonl")),
         )
     )
     found = [each for path in files for each in read_examples(path) if each.domain not in HELD_OUT]
@@ -81,6 +83,7 @@ def gathered(paraphrases: int) -> list[Example]:
         if f"{path.parent.name}/{path.stem.removeprefix('landmarks-')}" not in HELD_OUT
     )  # fmt: skip
     found += paraphrased(sites, paraphrases, seed=1)
+    found += toured(sites, tours, seed=2)
     usable = [
         each for each in found
         if each.is_reachable and len(each.symbols) <= SLOTS

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from plainspoken.language.grounding import Vocabulary
     from plainspoken.mission.mission import Mission, MissionId
     from plainspoken.mission.robot import Robot
-    from plainspoken.mission.run import Patience, Record, Replanner, Requests
+    from plainspoken.mission.run import Heed, Patience, Record, Replanner, Requests
 
 
 @dataclass(frozen=True)
@@ -274,9 +274,9 @@ def words_of(site: Site) -> Words:
 def replanner(site: Site) -> Replanner:
     """Plans again from wherever a mission is, for what is left of its goal."""
 
-    def plan(state: State, remaining: Formula) -> Policy | str:
+    def plan(state: State, remaining: Formula, heed: Heed) -> Policy | str:
         here = replace(site.problem, initial=state)
-        ending = find_policy(here, remaining)
+        ending = find_policy(here, remaining, on_progress=lambda _: heed())
         if isinstance(ending, Solved):
             return ending.policy
         return why_not(ending, site)

@@ -1,5 +1,7 @@
 """What becomes of a sentence that the rules and the network have both read."""
 
+from dataclasses import replace
+
 import pytest
 from tests.language.domains import DOMAINS
 
@@ -117,6 +119,19 @@ def test_a_word_that_may_name_what_is_asked_for_is_asked_about(utterance: str) -
 )
 def test_a_word_that_only_colours_a_mission_is_passed_over(utterance: str) -> None:
     assert not names_the_unknown(Sentence.of(utterance, HOSPITAL))
+
+
+@pytest.mark.parametrize("utterance", ["After ward 1, you then go to the", "See ward 1, and"])
+def test_a_sentence_that_breaks_off_is_not_accepted_on_the_networks_word(utterance: str) -> None:
+    ruled = replace(by_rules(Sentence.of(utterance, HOSPITAL)), status=Status.REJECT)
+    assert settled(Sentence.of(utterance, HOSPITAL), ruled, heard(f"F {WARD}", 0.999)) == ruled
+
+
+def test_what_is_said_back_with_brackets_means_what_the_rules_read() -> None:
+    said = "At every point (you are at ward 1 and the lobby is not open)."
+    ruled = by_rules(Sentence.of(PLAIN, HOSPITAL))
+    assert settled(Sentence.of(said, HOSPITAL), replace(ruled, utterance=said),
+                   heard(f"F {WARD}", 0.999)).formula == ruled.formula  # fmt: skip
 
 
 def test_an_expression_is_named_for_each_symbol_of_the_networks_reading() -> None:

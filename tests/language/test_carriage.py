@@ -40,6 +40,24 @@ BARE = vocabulary(
     photo, a, photo
     """
 )
+SPLIT = vocabulary(
+    f"""
+    {_PLACES}
+    crate7, a, to pick crate 7 up
+    drum1, a, to lift drum 1
+    down, a, to put it down
+    photo, a, to take a photo
+    """
+)
+CARRYING = vocabulary(
+    f"""
+    {_PLACES}
+    crate7, a, to pick up crate 7
+    drum1, a, to pick up drum 1
+    down, a, to set down what is carried
+    photo, a, to make a photo
+    """
+)
 STORED = vocabulary(
     f"""
     {_PLACES}
@@ -49,6 +67,11 @@ STORED = vocabulary(
     """
 )
 
+IN_EVERY_DOMAIN = pytest.mark.parametrize(
+    "domain",
+    [ACTS, STATES, BARE, SPLIT, CARRYING],
+    ids=["acts", "states", "bare", "split", "carrying"],
+)
 CARRIED = "F(quay & F(crate7 & F(depot & down)))"
 
 
@@ -64,7 +87,7 @@ def check(utterance: str, formula: str, domain: Vocabulary) -> None:
     assert equivalent(parse(found), parse(formula)), (utterance, found)
 
 
-@pytest.mark.parametrize("domain", [ACTS, STATES, BARE], ids=["acts", "states", "bare"])
+@IN_EVERY_DOMAIN
 @pytest.mark.parametrize(
     "utterance",
     [
@@ -139,7 +162,7 @@ def test_an_errand_goes_together_with_other_clauses_as_any_act(
     check(utterance, formula, ACTS)
 
 
-@pytest.mark.parametrize("domain", [ACTS, STATES, BARE], ids=["acts", "states", "bare"])
+@IN_EVERY_DOMAIN
 @pytest.mark.parametrize(
     ("utterance", "formula"),
     [
@@ -197,7 +220,7 @@ def test_what_a_domain_cannot_say_is_refused(utterance: str) -> None:
     assert extract(utterance, STORED, None).status is Status.REJECT
 
 
-@pytest.mark.parametrize("domain", [ACTS, STATES, BARE], ids=["acts", "states", "bare"])
+@IN_EVERY_DOMAIN
 @pytest.mark.parametrize(
     "utterance",
     [

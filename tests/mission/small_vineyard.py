@@ -6,6 +6,7 @@ from tests.mission.brute_force import solved
 
 from plainspoken.logic.formula import Formula
 from plainspoken.mission.request import acceptance
+from plainspoken.mission.run import Heed
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import State
 from plainspoken.world.event import MissionAccepted
@@ -33,5 +34,6 @@ def policy_for(goal: Formula) -> Policy:
     return policy
 
 
-def replanned(state: State, remaining: Formula) -> Policy | str:
+def replanned(state: State, remaining: Formula, heed: Heed = lambda: None) -> Policy | str:
+    heed()
     return solved(PROBLEM, state, remaining) or "there is no policy"

@@ -21,9 +21,15 @@ from plainspoken.logic.syntax import parse
 from plainspoken.logic.trace import holds
 from plainspoken.mission.executive import Advance, accept, advance
 from plainspoken.mission.mission import Mission, Status, mission_from
-from plainspoken.mission.observation import CancelAsked, Observation, PauseAsked, ResumeAsked
+from plainspoken.mission.observation import (
+    CancelAsked,
+    Observation,
+    PauseAsked,
+    ResumeAsked,
+    Told,
+)
 from plainspoken.mission.robot import GoalStatus, Seconds, Succeeded, Unheard
-from plainspoken.mission.run import Replanner, Requests, run_mission
+from plainspoken.mission.run import Heed, Replanner, Requests, run_mission
 from plainspoken.mission.simulator import Simulator
 from plainspoken.planning.policy import Policy
 from plainspoken.world.domain import GroundAction, State
@@ -183,7 +189,7 @@ def test_a_run_that_is_killed_after_any_entry_goes_on_as_it_would_have(
     ]
 
 
-def no_plan(_state: State, _remaining: Formula) -> Policy | str:
+def no_plan(_state: State, _remaining: Formula, _heed: Heed) -> Policy | str:
     return "nobody plans here"
 
 
@@ -369,3 +375,52 @@ def test_a_mission_that_is_killed_again_and_again_finishes_with_its_log_whole(
 def _steps(store: str) -> int:
     with SqliteLog(store) as log:
         return len(log.links("m"))
+
+
+class Endless:
+    """A planner that comes to no end the first time, unless it is interrupted."""
+
+    def __init__(self) -> None:
+        self.states: list[State] = []
+
+    def __call__(self, state: State, remaining: Formula, heed: Heed) -> Policy | str:
+        self.states.append(state)
+        while len(self.states) == 1:
+            heed()
+        return replanned(state, remaining)
+
+
+def asked_while_planning(request: Observation) -> tuple[Mission, Recorder, Endless]:
+    """A run that goes astray at once, and is asked for something while it looks for a policy."""
+    plan, record = Endless(), Recorder()
+    robot = Simulator(PROBLEM)
+    robot.disturb(added=["full b"])
+    asked = [request]
+
+    def requests() -> Observation | None:
+        return asked.pop() if plan.states and asked else None
+
+    start = accept(accepted(GOALS[0]), POLICIES[0])
+    return finished(start, robot, record, plan, requests), record, plan
+
+
+def test_a_pause_is_heard_while_a_policy_is_looked_for() -> None:
+    mission, record, plan = asked_while_planning(PauseAsked("ada"))
+    assert mission.status is Status.PAUSED
+    assert record.kinds[-1] == "paused"
+    assert len(plan.states) == 1
+
+
+def test_a_cancellation_is_heard_while_a_policy_is_looked_for() -> None:
+    mission, _, plan = asked_while_planning(CancelAsked("ada"))
+    assert mission.status is Status.CANCELLED
+    assert len(plan.states) == 1
+
+
+def test_a_report_while_a_policy_is_looked_for_has_it_looked_for_from_there() -> None:
+    told = Told("ada", "grape 0 is ripe", frozenset({"ripe g0"}), frozenset({"unchecked g0"}))
+    mission, record, plan = asked_while_planning(told)
+    assert mission.is_over
+    assert "ripe g0" not in plan.states[0]
+    assert "ripe g0" in plan.states[1]
+    assert record.kinds.count("report_received") == 1

@@ -142,7 +142,7 @@ def test_a_report_and_an_observation_are_named_as_the_source() -> None:
     log.instant += 1
     log.add(ObservationMade("camera", ("full b",), (), told | {"full b", "cleared l3"}))
     assert answer("Is line 2 cleared?", log.entries).text == (
-        "Yes, line 2 is cleared, as I was told one action ago."
+        "Yes, line 2 is cleared, as ann reported one action ago."
     )
     assert answer("Is line 3 cleared?", log.entries).text == (
         "Yes, line 3 is cleared, as I saw just now."

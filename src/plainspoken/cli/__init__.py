@@ -19,9 +19,10 @@ COMMANDS = {
     "run": "Carry a mission out and record it.",
     "work": "Carry out the missions that wait in a store, as a worker.",
     "ask": "Ask what a robot is doing, has done, will do, and why.",
+    "report": "Tell a mission what you did or saw.",
     "answer": "Answer what a mission asks of people.",
     "eval": "Measure how well sentences are understood, and how true answers are.",
-    "missions": "List missions; pause, resume or cancel one; write its log.",
+    "missions": "List missions; pause, resume, cancel or change one; write its log.",
     "doctor": "See what is installed, and which symbols a problem has.",
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -13,10 +14,10 @@ import click
 
 from plainspoken.cli.batch import batch_options, run_batch
 from plainspoken.cli.site import FILE
-from plainspoken.cli.store import entries_of, store_option
+from plainspoken.cli.store import entries_in, entries_of, open_store, store_option
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl
-from plainspoken.pipeline import bundled
+from plainspoken.pipeline import accepted_of, bundled
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.length import Length
@@ -53,6 +54,9 @@ from plainspoken.world.event import Entry
 )
 @click.option("--full", is_flag=True, help="The same as --length full.")
 @click.option(
+    "--talk", is_flag=True, help="Go on talking: ask, report, and change your mind, line by line."
+)
+@click.option(
     "--rephrase",
     metavar="PROVIDER:NAME",
     help="Have a language model say it, checked, in its words.",
@@ -74,6 +78,7 @@ def ask(
     full: bool,
     rephrase: str | None,
     explain: bool,
+    talk: bool,
     as_json: bool,
 ) -> None:
     """Ask what the robot is doing, has done, will do, why, and how far it is.
@@ -84,7 +89,13 @@ def ask(
     \b
     plainspoken ask "What are you doing now?"
     plainspoken ask "Why?" --log run.jsonl --at 12 --json
+    plainspoken ask --talk
     """
+    if talk:
+        if question or log is not None or batch is not None or at is not None:
+            raise click.UsageError("--talk goes with --mission and --store alone")
+        _talk(mission, store)
+        return
     entries = _entries(log, mission, store)
     if at is not None and at >= len(entries):
         raise PlainspokenError(
@@ -124,6 +135,25 @@ def _words(path: Path | None, moment: Moment) -> Words:
                 hint=f"give them with --words; {path} is an example",
             )
     return read_words(path, moment.problem)
+
+
+def _talk(mission: str | None, store: str | None) -> None:
+    """Answer line by line; tell the mission what was reported, or is to change, once agreed to."""
+    from plainspoken.cli.asked import put
+    from plainspoken.cli.robots import person
+    from plainspoken.questions.conversation import Conversation, message_of
+
+    conversation = Conversation()
+    with open_store(store) as kept:
+        id = accepted_of(entries_in(kept, mission)).mission
+        for line in sys.stdin:
+            if not line.strip():
+                continue
+            said = conversation.say(line.strip(), Moment(kept.entries(id)))
+            conversation = said.then
+            if said.agreed is not None:
+                put(kept, id, message_of(said.agreed, person()))
+            click.echo(said.answer.text)
 
 
 def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> None:

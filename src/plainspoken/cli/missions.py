@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -13,22 +12,20 @@ import click
 from rich.console import Console
 from rich.table import Table
 
+from plainspoken.cli.asked import askable, put, tell
 from plainspoken.cli.exit import NO
 from plainspoken.cli.foreground import ended, going_on, watched
 from plainspoken.cli.record import fresh_file
 from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, open_store, store_option
-from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import write_jsonl
 from plainspoken.knowledge.queue import Place
-from plainspoken.knowledge.store import Store
-from plainspoken.mission.mailbox import Asked, to_message
+from plainspoken.mission.mailbox import to_message
 from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
-from plainspoken.work.asking import Reply, ask_of
 from plainspoken.work.shift import Shift, robots_of
-from plainspoken.world.event import Entry, MissionAccepted
+from plainspoken.world.event import Entry
 
 BY = "command line"
 
@@ -40,7 +37,7 @@ _json = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @_json
 @click.pass_context
 def missions(context: click.Context, store: str | None, *, as_json: bool) -> None:
-    """List the missions in a store; pause, resume or cancel one; write its log to a file.
+    """List the missions in a store; pause, resume, cancel or change one; write its log to a file.
 
     What is asked of a mission reaches it wherever it is carried out.
     """
@@ -94,17 +91,17 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
     with ExitStack() as stack:
         kept = stack.enter_context(open_store(store))
         entries = entries_in(kept, id)
-        accepted = _askable(entries)
+        accepted = askable(entries)
         asked = ResumeAsked(BY)
         if kept.place(id) is None:
             kept.enlist(id, robots_of(accepted))
         if detach:
-            _tell(_ask(kept, id, asked), "resumed")
+            tell(put(kept, id, asked), "resumed")
             return
         shift = stack.enter_context(Shift(kept))
         held = shift.take(id)
         if held is None:
-            _tell(_ask(kept, id, asked), "resumed")
+            tell(put(kept, id, asked), "resumed")
             return
         kept.post(id, to_message(asked))
         site = site_of(accepted)
@@ -119,7 +116,7 @@ def resume(id: str, store: str | None, pace: float | None, *, as_json: bool, det
 def pause(id: str, store: str | None) -> None:
     """Have the mission ID start no further action; one under way comes to its end."""
     with open_store(store) as kept:
-        _tell(_ask(kept, id, PauseAsked(BY)), "paused")
+        tell(put(kept, id, PauseAsked(BY)), "paused")
 
 
 @missions.command()
@@ -128,43 +125,64 @@ def pause(id: str, store: str | None) -> None:
 def cancel(id: str, store: str | None) -> None:
     """Give the mission ID up; an action under way is cancelled if the robot can."""
     with open_store(store) as kept:
-        _tell(_ask(kept, id, CancelAsked(BY)), "cancelled")
+        tell(put(kept, id, CancelAsked(BY)), "cancelled")
 
 
-def _ask(kept: Store, id: str, asked: Asked) -> Reply:
-    entries = entries_in(kept, id)
-    return ask_of(kept, id, asked, robots_of(_askable(entries)))
+@missions.command()
+@click.argument("id")
+@click.argument("text")
+@store_option
+@click.option("--by", metavar="NAME", help="Who wants it (default: you).")
+@click.option("--yes", is_flag=True, help="Take what is understood for right, and ask nothing.")
+@click.option(
+    "--instead/--besides",
+    default=None,
+    help="Whether a whole new request takes the place of the old one, or comes beside it.",
+)
+@click.option(
+    "--otherwise",
+    type=click.Choice(("go-on", "pause", "cancel")),
+    default="go-on",
+    show_default=True,
+    help="What to do where there is no plan for it.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print what was understood as JSON.")
+def change(
+    id: str,
+    text: str,
+    store: str | None,
+    by: str | None,
+    *,
+    yes: bool,
+    instead: bool | None,
+    otherwise: str,
+    as_json: bool,
+) -> None:
+    """Change your mind about the mission ID: TEXT, in plain words.
 
+    What it comes to, with what is left of the mission, is said back, and planned once you agree.
+    The mission goes over to it where nothing is under way. Where there is no plan for it, it goes
+    on as before, unless --otherwise says something else. Exit status 3 where nothing is changed.
 
-def _tell(reply: Reply, done: str) -> None:
-    """Say what became of a request; exit with 3 where nobody has heard it yet."""
-    goal = reply.mission.in_flight
-    if not reply.heard:
-        click.echo(f"asked; {reply.worker or 'whoever takes it up'} has not answered yet", err=True)
-        sys.exit(NO)
-    text = done if goal is None else f"{done}; {goal.action} is under way"
-    if reply.worker is None and not (reply.mission.is_over or reply.mission.is_at_rest):
-        text += ", and nobody carries the mission out: start a worker with `plainspoken work`"
-    click.echo(text)
-
-
-def _askable(entries: Sequence[Entry]) -> MissionAccepted:
-    """How a mission began of which something can be asked.
-
-    raises PlainspokenError: when it is over, or an action of another one
+    \b
+    plainspoken missions change ID "skip line 3"
+    plainspoken missions change ID "first go to the warehouse"
+    plainspoken missions change ID "stop after this grape" --yes
+    plainspoken missions change ID "Call the support robot" --besides
     """
-    accepted = accepted_of(entries)
-    if mission_from(entries).is_over:
-        raise PlainspokenError(
-            f"the mission {accepted.mission} is over", hint="`plainspoken ask` tells of it"
+    from plainspoken.cli.change import changed
+
+    with open_store(store) as kept:
+        changed(
+            kept,
+            id,
+            text,
+            by,
+            yes=yes,
+            instead=instead,
+            otherwise=otherwise,
+            as_json=as_json,
         )
-    whole = accepted.robot.get("part_of")
-    if whole is not None:
-        raise PlainspokenError(
-            f"the mission {accepted.mission} is an action of another one",
-            hint=f"plainspoken missions {click.get_current_context().info_name} {whole}",
-        )
-    return accepted
 
 
 @missions.command()

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from plainspoken.language.expression import PREPOSITIONS
+from plainspoken.language.expression import PREPOSITIONS, Shape
 from plainspoken.language.frame import Mention
 from plainspoken.language.grounding import Vocabulary
 from plainspoken.language.lexicon import PHRASES, Kind
 from plainspoken.language.quantifier import members_of, quantified
 from plainspoken.language.reference import Form, Reference, references
 from plainspoken.language.relative import unfolded
-from plainspoken.language.repetition import of_each
+from plainspoken.language.repetition import Repeated, of_each
 from plainspoken.language.word import Word
 
 _JOINTS = {"and": "and", "or": "or", "nor": "nor", "&": "and"}
@@ -49,15 +49,45 @@ def _listed(said: tuple[Word, ...], vocabulary: Vocabulary) -> tuple[Word, ...]:
             joint = "or"
             if first and said[first - 1].text == "neither":
                 said = (*said[: first - 1], replace(said[first - 1], text="no"), *said[first:])
-        if not _is_visited(said, first, mentions, vocabulary) and not _are_told(
-            said, mentions, vocabulary
-        ):
-            longer = of_each(said, (first, after), _own_words(said, mentions), joint, vocabulary)
+        own = _own_words(said, mentions)
+        if _is_visited(said, first, mentions, vocabulary):
+            longer = _done_at_each(said, (first, after), own, joint, vocabulary)
+        elif not _are_told(said, mentions, vocabulary):
+            longer = of_each(said, (first, after), own, joint, vocabulary)
         if longer is None or longer.count < len(mentions):
             index = mentions[-1].last
             continue
         said, index = longer.said, longer.after
     return said
+
+
+def _done_at_each(
+    said: tuple[Word, ...],
+    span: tuple[int, int],
+    places: Sequence[tuple[Word, ...]],
+    joint: str,
+    vocabulary: Vocabulary,
+) -> Repeated | None:
+    """Repeat an act for each place where it is to be done: "ring a bell at one and two"."""
+    first, after = span
+    act = next(
+        (
+            each
+            for each in references(said, vocabulary)
+            if each.shape is Shape.ACT and each.last == first - 1 and each.errand is None
+        ),
+        None,
+    )
+    if act is None or said[first - 1].text not in PREPOSITIONS:
+        return None
+    doing = said[act.first : first]
+    repeated: list[Word] = []
+    for number, place in enumerate(places):
+        if number:
+            repeated.append(Word(joint, place[0].start, place[-1].end))
+        repeated += (replace(doing[0], joined=number > 0 and joint == "or"), *doing[1:], *place)
+    longer = (*said[: act.first], *repeated, *said[after:])
+    return Repeated(longer, act.first + len(repeated), len(places))
 
 
 def _own_words(said: Sequence[Word], mentions: Sequence[Mention]) -> list[tuple[Word, ...]]:

@@ -154,8 +154,8 @@ class Dialogue:
         if named_alone is None or (wished.old and _named(wished.old, self.vocabulary) is None):
             return None
         found = self.translate(wished.what, self.vocabulary)
-        if found.status is Status.CLARIFY:
-            return self._heard(found, wished)
+        if found.status is Status.CLARIFY and len(found.alternatives) > 1:
+            return self._heard(found, wished)  # which one is meant; a name need be no mission
         return self._with_names(mission, text, named_alone, wished)
 
     def _refined(self, mission: Extraction, found: Extraction, about: FollowUp) -> Turn:

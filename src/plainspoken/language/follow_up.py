@@ -65,6 +65,8 @@ _FRAMES: tuple[tuple[Wish, str], ...] = (
     (Wish.REPLACE, r"(?P<what>.+?),? instead"),
     (Wish.ANEW, r"instead,? (?P<what>.+)"),
     (Wish.SKIP, r"leave (?P<what>.+?) out"),
+    (Wish.SKIP, (r"(?:never ?mind|(?:do not|don't|don’t) worry about)(?: about)? (?P<what>.+?)"
+                   r"(?: after all| any ?more| this time)?")),
     (Wish.SKIP, (r"(?:skip|leave out|drop|omit|forget|ignore|remove|leave off|without|not)"
                    r"(?: about)? (?!to )(?P<what>.+?)(?: after all| any ?more| this time)?")),
     (Wish.SKIP, r"(?:there is |there's )?no need (?:to (?:visit|go to|do)|for) (?P<what>.+)"),

@@ -167,16 +167,8 @@ class Vocabulary:
     def _members(self) -> Mapping[str, frozenset[tuple[str, ...]]]:
         found: dict[str, set[tuple[str, ...]]] = {}
         for landmark in self.landmarks.values():
-            for phrase in landmark.phrases:
-                said = content(words(phrase), ARTICLES)
-                for word, following in pairwise(said):
-                    if following.number.isdigit() and not word.number.isdigit():
-                        for stem in word.stems:
-                            found.setdefault(stem, set()).add((stem, following.number))
-                if landmark.type is LandmarkType.LOCATION and len(said) > 1:
-                    for word in (said[-1], said[0]):
-                        for stem in word.stems if not word.number.isdigit() else ():
-                            found.setdefault(stem, set()).add(tuple(each.text for each in said))
+            for stem, members in _members_by_stem(landmark).items():
+                found.setdefault(stem, set()).update(members)
         return {stem: frozenset(members) for stem, members in found.items()}
 
     @cached_property
@@ -255,3 +247,23 @@ def _instances(landmarks: Landmarks) -> frozenset[SymbolId]:
         if any(id.startswith(f"{name}_") and id != f"{name}_executed" for name in general)
         or any(id.endswith(f"_executes_{name}") for name in general)
     )
+
+
+def _members_by_stem(landmark: Landmark) -> Mapping[str, set[tuple[str, ...]]]:
+    """The things that a landmark speaks of, each by one of its names: by its number, if it has one.
+
+    A place that is "site 1", "site one" and "the first site" is one of three sites, not three.
+    """
+    numbered: dict[str, set[tuple[str, ...]]] = {}
+    named: dict[str, set[tuple[str, ...]]] = {}
+    for phrase in landmark.phrases:
+        said = content(words(phrase), ARTICLES)
+        for word, following in pairwise(said):
+            if following.number.isdigit() and not word.number.isdigit():
+                for stem in word.stems:
+                    numbered.setdefault(stem, set()).add((stem, following.number))
+        if landmark.type is LandmarkType.LOCATION and len(said) > 1:
+            for word in (said[-1], said[0]):
+                for stem in word.stems if not word.number.isdigit() else ():
+                    named.setdefault(stem, {tuple(each.text for each in said)})
+    return named | numbered

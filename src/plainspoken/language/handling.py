@@ -230,7 +230,7 @@ def _passive(said: Sequence[Word]) -> tuple[Sequence[Word], Sequence[Word]] | No
 
 def _handled(landmark: Landmark, said: Sequence[Word], manner: Manner) -> Iterator[Thing]:
     """The object of a phrase whose verb is of a manner; () for none and for any thing."""
-    passive = _passive(said)
+    passive = None if said and said[0].text == "to" else _passive(said)
     if passive is not None:
         subject, rest = passive
         verb = verb_at(rest, 0, manner) if rest else None
@@ -244,17 +244,22 @@ def _handled(landmark: Landmark, said: Sequence[Word], manner: Manner) -> Iterat
     verb = verb_at(said, 0, manner) if said else None
     if verb is None or said[0].stems != {said[0].text}:
         return
-    last, particle = verb
-    rest = said[last:]
-    if rest and particle and rest[-1].text == particle:
-        rest = rest[:-1]
+    rest = said[verb[0] :]
+    if rest and (said[0].text, rest[-1].text) in VERBS[manner]:
+        rest = rest[:-1]  # "put it down"
     if not any(word.text in SOURCES | GOALS for word in rest):
         yield _object(rest)
 
 
+_OF_ANY = frozenset(("carried", "held", "loaded", "current", "carry", "hold", "own"))
+
+
 def _object(said: Sequence[Word]) -> Thing:
+    """A thing; () for any: "it", "the item", "the carried item", "what the robot carries"."""
     thing = _thing(said)
-    return () if len(thing) == 1 and thing[0] in ITEMS else thing
+    if thing and (thing[0] in ("what", "whatever") or _OF_ANY.issuperset(thing[:-1])):
+        return () if thing[0] in ("what", "whatever") or thing[-1] in ITEMS else thing
+    return thing
 
 
 def _lifted(landmark: Landmark, said: Sequence[Word]) -> Iterator[Thing]:

@@ -13,6 +13,7 @@ from plainspoken.language.main_clause import MainClauses
 from plainspoken.logic.formula import (
     Formula,
     Next,
+    conjunction,
 )
 from plainspoken.logic.pattern import (
     AtMost,
@@ -64,6 +65,11 @@ class Reactions(MainClauses):
             self._extend(clause, parts)
         elif main.modality is Kind.MAY:
             self._permissions += 1
+        elif response == conjunction(*parts) and all(
+            operand.reference.shape is Shape.PLACE for operand in main.operands
+        ):
+            for place in parts:  # nobody is at two places at once
+                self._route.add(DelayedReaction(trigger, place))
         else:
             self._route.add(DelayedReaction(trigger, response))
 

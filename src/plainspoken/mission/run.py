@@ -42,7 +42,9 @@ from plainspoken.world.event import Entry, Event, Instant, ReportReceived
 
 Record = Callable[[Instant, Sequence[Event]], Sequence[Entry]]
 """Stores events, all or none, before it returns."""
-Replanner = Callable[[State, Formula], Policy | str]
+Heed = Callable[[], None]
+"""Called again and again by whoever takes long; what it raises ends the work."""
+Replanner = Callable[[State, Formula, Heed], Policy | str]
 """Finds a policy from a state (static atoms included) to a goal, or says why there is none."""
 Requests = Callable[[], Observation | None]
 """What people, or another process, ask for meanwhile: one request at a time, never waiting."""
@@ -118,6 +120,14 @@ def heeding(robot: Robot, record: Record) -> Record:
         return entries
 
     return heeded
+
+
+class _Interrupted(Exception):
+    """Somebody asks for something while a policy is being looked for."""
+
+    def __init__(self, request: Observation) -> None:
+        super().__init__()
+        self.request = request
 
 
 class _Edge:
@@ -202,11 +212,26 @@ class _Edge:
                 case Reconnect():
                     pass  # asking for its state is trying
                 case Plan(state, remaining):
-                    policy = self._plan(state, remaining)
-                    return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
+                    return self._planned(state, remaining)
                 case _:
                     assert_never(command)
         return None
+
+    def _planned(self, state: State, remaining: Formula) -> Observation:
+        """What the planner finds, or the request that came before it was done.
+
+        After a request the mission decides anew whether it still wants a policy, and from where.
+        """
+        try:
+            policy = self._plan(state, remaining, self._heed)
+        except _Interrupted as interrupted:
+            return interrupted.request
+        return NotPlanned(policy) if isinstance(policy, str) else Planned(policy)
+
+    def _heed(self) -> None:
+        request = self._requests()
+        if request is not None:
+            raise _Interrupted(request)
 
     def _timed(self, goal: GoalId) -> None:
         """Begin to count the seconds of an action that is new here."""

@@ -25,12 +25,17 @@ class TimeIsUp(Exception):  # the solver makes an ending of it
 
 @dataclass(slots=True)
 class Watch:
-    """Started when it is made. timeout: None for as long as it takes."""
+    """Started when it is made.
+
+    timeout: None for as long as it takes
+    size:    what was told last, told again where only the time is looked at
+    """
 
     timeout: Seconds | None = None
     on_progress: Callable[[Progress], None] | None = None
     started: Seconds = field(default_factory=monotonic)
     told: Seconds = 0.0
+    size: tuple[int, int, int] = (0, 0, 0)
 
     @property
     def seconds(self) -> Seconds:
@@ -38,6 +43,8 @@ class Watch:
         return monotonic() - self.started
 
     def expired(self) -> bool:
+        """Whether time is up; whoever listens is told, and may end the search by raising."""
+        self.tell(*self.size)
         return self.timeout is not None and monotonic() - self.started > self.timeout
 
     def check(self) -> None:
@@ -55,6 +62,7 @@ class Watch:
 
     def tell(self, closed: int, waiting: int, dead: int) -> None:
         """Report progress, ten times a second at most."""
+        self.size = closed, waiting, dead
         if self.on_progress is not None and self.seconds - self.told >= 0.1:
             self.told = self.seconds
             self.on_progress(self.progress(closed, waiting, dead))

@@ -25,7 +25,7 @@ def lasting(draft: Draft, atom: GroundAtom) -> str:
 
 
 def since_when(draft: Draft, atom: GroundAtom) -> str:
-    """` since I checked it two actions ago`, or `, as I was told two actions ago`."""
+    """` since I checked it two actions ago`, or `, as Ann reported two actions ago`."""
     moment = draft.moment
     since = moment.since(atom)
     step = moment.steps[since]
@@ -36,8 +36,8 @@ def since_when(draft: Draft, atom: GroundAtom) -> str:
         case ActionFinished(action=action):
             deed = moment.lexicon.deed(action)
             return f" since {deed.subject} {deed.did} {when}"
-        case ReportReceived():
-            return f", as I was told {when}"
+        case ReportReceived(reporter=reporter):
+            return f", as {reporter} reported {when}"
         case ObservationMade():
             return f", as I saw {when}"
         case _:

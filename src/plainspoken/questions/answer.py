@@ -19,6 +19,7 @@ from plainspoken.questions.present import tell_now
 from plainspoken.questions.progress import tell_constraint, tell_progress
 from plainspoken.questions.question import Question, question_of
 from plainspoken.questions.reason import tell_why
+from plainspoken.questions.source import tell_change, tell_source
 from plainspoken.world.event import Entry, Step
 
 CAN_ASK = (
@@ -52,6 +53,8 @@ def answer_at(question: str | Question, moment: Moment, *, length: Length = Leng
 
 def _tell(draft: Draft, question: Question) -> None:
     answered = True
+    if tell_source(draft, question) or tell_change(draft, question):
+        return
     match question.kind:
         case Kind.NOW:
             tell_now(draft, question)
@@ -90,12 +93,13 @@ def _tell(draft: Draft, question: Question) -> None:
         case Kind.REPORT:
             _not_yet(
                 draft,
-                "You are telling me something; here I only answer questions, so I haven't noted it",
+                "You are telling me something, and here I note nothing: `plainspoken report` does",
             )
         case Kind.COMMAND:
             _not_yet(
                 draft,
-                "You want me to do something; here I only answer questions, so I won't",
+                "You want something done, and here I only answer: `plainspoken missions change` "
+                "changes a mission",
             )
         case Kind.CHITCHAT:
             _chat(draft)

@@ -33,6 +33,7 @@ _OPPOSITES = (
     }
     | {"unlocked": "locked", "cold": "hot", "dirty": "clean", "dark": "lit", "light": "heavy"}
     | {"high": "low", "broken": "intact", "absent": "present", "asleep": "awake", "dead": "alive"}
+    | {"negative": "positive", "damaged": "intact"}
 )
 """Words that deny another one, used where a domain has no fact of its own for them."""
 _LEADING = frozenset({"to", "into", "onto", "from", "off", "out", "toward", "towards", "through"})
@@ -74,9 +75,9 @@ class Concordance:
         if verb == "be":
             if place := self._place(subject, complement):
                 return [(place, True)]
-            opposite = _opposite(complement)
-            if opposite and (found := self._facts.get((subject, "be", opposite))):
-                return [(found, False)]
+            for opposite in sorted(opposites(complement)):
+                if found := self._facts.get((subject, "be", opposite)):
+                    return [(found, False)]
             if undone := self._facts.get((subject, "be", f"un{complement}")):
                 return [(undone, False)]
             if subject == "i" and complement.split(" ", 1)[0].endswith("ing"):
@@ -228,11 +229,11 @@ def _mark(names: Sequence[str]) -> str:
     return f"<{'+'.join(names)}>"
 
 
-def _opposite(word: str) -> str | None:
-    if word in _OPPOSITES:
-        return _OPPOSITES[word]
-    back = {value: key for key, value in _OPPOSITES.items()}
-    return back.get(word)
+def opposites(word: str) -> frozenset[str]:
+    """The words that deny another one: `unchecked` and `checked`, `empty` and `full`."""
+    found = {word.removeprefix("un")} if word.startswith("un") and len(word) > 4 else {f"un{word}"}
+    found |= {value for key, value in _OPPOSITES.items() if key == word}
+    return frozenset(found | {key for key, value in _OPPOSITES.items() if value == word})
 
 
 @lru_cache(maxsize=8)

@@ -84,20 +84,35 @@ def fluents_in(text: str, lexicon: Lexicon) -> tuple[Fluent, ...]:
 
 def read(text: str, lexicon: Lexicon) -> Reading:
     """Read a text, clause by clause."""
+    clauses = tuple(clauses_in(text, lexicon))
+    found = dict.fromkeys(fluent for each in clauses for fluent in each.fluents)
+    return Reading(tuple(found), tuple(each.words for each in clauses if not each.fluents))
+
+
+@dataclass(frozen=True, slots=True)
+class ReadClause:
+    """A clause, names of objects marked in it, and what it states, if that can be read."""
+
+    words: str
+    fluents: tuple[Fluent, ...]
+    subject: str
+    time: Time
+
+
+def clauses_in(text: str, lexicon: Lexicon, *, marked: bool = False) -> Iterator[ReadClause]:
+    """The clauses of a text, each with what it states.
+
+    marked: whether the text is spelled out, and its objects are marked, already
+    """
     known = concordance_of(lexicon)
-    found: list[Fluent] = []
-    unread: list[str] = []
     before = _Clause()
     for sentence in re.split(r"(?<=[\w)>])[.!?;:]+(?:\s+|$)", text.strip()):
         before = _Clause(before.subject)  # Which "it" may still mean.
-        for words in _clauses(known.mark(_spelled(sentence))):
+        for words in _clauses(sentence if marked else known.mark(_spelled(sentence))):
             clause = _parsed(words, before, known)
-            fluents = list(_fluents(clause, known))
-            found += fluents
-            if not fluents and words:
-                unread.append(words)
+            fluents = tuple(_fluents(clause, known))
+            yield ReadClause(words, fluents, clause.subject, clause.time)
             before = clause if clause.subject else before
-    return Reading(tuple(dict.fromkeys(found)), tuple(unread))
 
 
 # -- clauses -----------------------------------------------------------------------------------

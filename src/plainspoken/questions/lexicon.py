@@ -135,7 +135,9 @@ class Lexicon:
             _, *arguments = symbol.atom.split()
             if one.type is LandmarkType.LOCATION and arguments:
                 own = one.phrases if self.me is not None else self._shared_words(one, arguments)
-                places.setdefault(arguments[-1], []).extend(own)
+                # "The cart is at the dock" says where it is, and is no name of the dock.
+                called = [phrase for phrase in own if not _VERB.match(phrase)]
+                places.setdefault(arguments[-1], []).extend(called)
             elif (
                 arguments[:1] != [self.me] and arguments and (found := _VERB.match(one.description))
             ):

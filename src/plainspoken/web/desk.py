@@ -34,6 +34,7 @@ from plainspoken.pipeline import (
 from plainspoken.planning.policy import Policy
 from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
+from plainspoken.questions.conversation import Conversation, Said, message_of
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
@@ -180,6 +181,18 @@ class Desk:
         moment = Moment(self._entries(mission), at)
         length = Length.FULL if full else Length.BRIEF
         return (dialogue or Dialogue()).ask(text, moment, length=length)
+
+    def say(
+        self, mission: MissionId, text: str, by: str, conversation: Conversation | None = None
+    ) -> Said:
+        """Take a question, a report or a change of mind; what is agreed to, the mission is told.
+
+        by: who says it
+        """
+        said = (conversation or Conversation()).say(text, Moment(self._entries(mission)))
+        if said.agreed is not None:
+            self._ask_of(mission, message_of(said.agreed, by))
+        return said
 
     # -- watching ------------------------------------------------------------------------------
 

@@ -125,6 +125,15 @@ def successors(
     return tuple(found)
 
 
+def outcomes(problem: Problem, state: State, action: GroundAction) -> tuple[Change, ...]:
+    """What each outcome of an action adds and deletes, whether or not it can be done now."""
+    return tuple(
+        change
+        for schema, binding in instances(problem, action)
+        for change in _changes(schema.effect, state, problem, binding)
+    )
+
+
 def applicable_actions(problem: Problem, state: State) -> Iterator[GroundAction]:
     """Every ground action whose precondition holds, in the order of the domain file.
 
