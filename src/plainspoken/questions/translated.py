@@ -1,7 +1,7 @@
 """The words of a problem in another language than English, from a file, and what they make.
 
 The file names objects, says what is so of the first argument of a fact, and how each action is
-put: `"inside": "in {1}"`, `"drop-grape": "mettere {g} in {b}"`. Italian is the language there is;
+put: `"inside": "in {1}"`, `"put-in": "mettere {x} in {y}"`. Italian is the language there is;
 another one is a module beside `italian.py`.
 """
 
@@ -52,7 +52,7 @@ def read_words(path: Path, problem: Problem) -> Words:
         raise InputFileError(
             f"no file of words: {type(error).__name__} {error}",
             path,
-            hint="examples/vineyard/words.it.json shows what it holds",
+            hint="the words.it.json among the examples shows what it holds",
         ) from error
     lacking = [each for each in sorted(problem.changing_predicates) if each not in words.facts]
     lacking += [each.name for each in problem.domain.actions if each.name not in words.actions]
