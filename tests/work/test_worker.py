@@ -132,7 +132,7 @@ def test_a_worker_that_stops_hands_a_mission_on_with_its_action_under_way(
 ) -> None:
     queue_up(store, "m", tmp_path / "world", pace=0.05)
     with at_work(Worker(store, robot_for)):
-        until(lambda: "action_started" in kinds(store, "m"))
+        until(lambda: bool(deeds(tmp_path / "world", "m")))  # the robot has heard of it
     assert standing(store, "m").in_flight is not None
     assert place_of(store, "m") == (Standing.GOING, None, None)
     Worker(store, robot_for).run(until_done=True)
