@@ -76,7 +76,7 @@ def test_each_part_of_the_request_has_its_verdict(entries: Sequence[Entry]) -> N
 
 
 def test_what_is_known_says_since_when_and_how(entries: Sequence[Entry]) -> None:
-    known = view(entries).known
+    known = view(entries).known(datetime.fromisoformat(entries[-1].time))
     unripe = next(each for each in known if each.fact.atom == "unripe g1")
     assert unripe.text == "Grape 1 is unripe."
     assert unripe.things == ("g1",)
