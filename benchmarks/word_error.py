@@ -125,6 +125,7 @@ def compared(sentence: str, heard: Transcript, vocabulary: Vocabulary) -> dict[s
         "right_heard": len(got) - len(errors_heard),
         "outcome": outcome,
         "any_unclear": any(unclear),
+        "confidences": _confidences(heard, [j not in errors_heard for j in range(len(got))]),
     }
 
 
@@ -135,6 +136,17 @@ def _marked(heard: Transcript) -> list[set[Weight]]:
         {e.weight for e in heard.emphases if e.start < word.end and word.start < e.end}
         for word in found
     ]
+
+
+def _confidences(heard: Transcript, right: list[bool]) -> list[tuple[str, float, bool]]:
+    """Each word of a transcript with its confidence, and whether it was said."""
+    found, place = [], 0
+    for word in heard.words:
+        parts = len(said_in(word.text))
+        if parts:
+            found.append((word.text, round(word.confidence, 3), all(right[place : place + parts])))
+        place += parts
+    return found
 
 
 def _has_lead(
