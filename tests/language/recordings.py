@@ -23,7 +23,9 @@ def wav(
 ) -> bytes:
     """A WAV file; size: what it says of its samples, where that is not the truth."""
     frame = channels * bits // 8
-    form = struct.pack("<HHIIHH", code, channels, rate, rate * frame & 0xFFFFFFFF, frame & 0xFFFF, bits)
+    form = struct.pack(
+        "<HHIIHH", code, channels, rate, rate * frame & 0xFFFFFFFF, frame & 0xFFFF, bits
+    )
     told = len(body) if size is None else size
     return (
         b"RIFF" + struct.pack("<I", (36 + told) & 0xFFFFFFFF) + b"WAVE"

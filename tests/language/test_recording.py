@@ -153,9 +153,8 @@ def spoilt(draw: st.DrawFn) -> bytes:
 def test_whatever_is_sent_becomes_samples_or_a_refusal(content: bytes) -> None:
     try:
         found = read_wav(content)
-    except UnreadableRecordingError as refused:
-        assert refused.what
-    else:
-        assert len(found)
-        assert np.isfinite(found).all()
-        assert np.abs(found).max() <= 1
+    except UnreadableRecordingError:
+        return
+    assert len(found)
+    assert np.isfinite(found).all()
+    assert np.abs(found).max() <= 1

@@ -9,8 +9,8 @@ from tests.language.harbour import HARBOUR
 from tests.language.recordings import heard, tone
 
 from plainspoken.language.emphasis import Weight
-from plainspoken.language.hint import MOST_HINTS, hints
 from plainspoken.language.grounding import Vocabulary
+from plainspoken.language.hint import MOST_HINTS, hints
 from plainspoken.language.transcription import (
     HeardWord,
     Samples,
@@ -22,7 +22,7 @@ from plainspoken.language.transcription import (
 from plainspoken.world.landmark import Landmark, LandmarkType
 
 
-def never(samples: Samples, hints: Sequence[str], /) -> Transcript:
+def never(_: Samples, __: Sequence[str], /) -> Transcript:
     raise AssertionError("silence is not worth asking about")
 
 
@@ -35,13 +35,13 @@ def test_silence_is_not_handed_to_a_recogniser() -> None:
 @pytest.mark.parametrize("text", ["", "...", "— !"])
 def test_a_recording_in_which_no_word_is_heard_is_silent(text: str) -> None:
     with pytest.raises(SilentAudio, match=r"1\.0 s"):
-        transcribed(tone(440, 1), lambda samples, hints: heard(text))
+        transcribed(tone(440, 1), lambda *_: heard(text))
 
 
 def test_a_recogniser_that_hangs_is_given_up_on() -> None:
     release = threading.Event()
 
-    def hangs(samples: Samples, hints: Sequence[str], /) -> Transcript:
+    def hangs(_: Samples, __: Sequence[str], /) -> Transcript:
         release.wait()
         return heard("too late")
 
@@ -53,7 +53,7 @@ def test_a_recogniser_that_hangs_is_given_up_on() -> None:
 
 
 def test_the_error_of_a_recogniser_is_not_lost() -> None:
-    def breaks(samples: Samples, hints: Sequence[str], /) -> Transcript:
+    def breaks(_: Samples, __: Sequence[str], /) -> Transcript:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):

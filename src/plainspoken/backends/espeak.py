@@ -47,8 +47,10 @@ class Espeak:
         except (OSError, subprocess.TimeoutExpired) as error:
             raise SpeechError(f"{PROGRAM} does not run: {error}", hint=GET_IT) from error
         trouble = ended.stderr.decode(errors="replace").strip()
-        # Without a sound card it complains, and ends as if all were well.
-        if ended.returncode or (not options and "error" in trouble.lower()):
+        # Without a sound card it complains, and ends as if all were well; ALSA's own lines may
+        # complain of what does no harm.
+        failed = any(line.lower().startswith("error") for line in trouble.splitlines())
+        if ended.returncode or failed:
             raise SpeechError(
                 f"{PROGRAM} said nothing: {trouble.splitlines()[-1] if trouble else 'no reason'}",
                 hint=f"is there a sound card? `{PROGRAM} --voices=en` lists the voices",

@@ -30,6 +30,8 @@ MODEL_VARIABLE = "PLAINSPOKEN_WHISPER"
 """The environment variable that may name a folder with weights."""
 REPETITIVE = 2.4
 """A text that can be compressed more than this goes round in circles: Whisper's own limit."""
+_MOST_TOKENS = 150
+"""In half a minute: more than anybody says, and an end to going round in circles."""
 _FILES = ("config.json", "tokenizer.json")
 _PROMPT = "Go there, but never do that until this is done. We speak of {}."
 
@@ -98,6 +100,7 @@ class Whisper:
             condition_on_previous_text=False,  # an error would feed on itself
             word_timestamps=True,
             vad_filter=True,  # nothing is made up where nobody speaks
+            max_new_tokens=_MOST_TOKENS,
         )
         return [
             # A text that goes round in circles was not heard, however sure Whisper is of it.

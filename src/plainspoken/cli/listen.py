@@ -64,8 +64,9 @@ def listen(
     """Turn what is said in RECORDING (WAV) into text, and that into a formula.
 
     What was heard is shown first, with the words that turn its meaning marked: negations, limits
-    ("until", "only") and numbers, and what was unclear. At a terminal it is confirmed, or corrected,
-    before anything is made of it; elsewhere nothing is, unless --yes is given (exit status 3).
+    ("until", "only") and numbers, and what was unclear. At a terminal it is confirmed, or
+    corrected, before anything is made of it; elsewhere nothing is, unless --yes is given (exit
+    status 3).
 
     \b
     plainspoken listen order.wav
@@ -83,7 +84,7 @@ def listen(
             return
         click.echo("plainspoken: not confirmed, so nothing is made of it: give --yes", err=True)
         sys.exit(NO)
-    sentence = confirmed(heard.text) if asks else heard.text
+    sentence = confirmed(heard.text, heard.emphases) if asks else heard.text
     with chosen_translator() as translate:
         extraction = translate(sentence, vocabulary)
         if asks:
@@ -102,9 +103,10 @@ def shown(text: str, marks: tuple[Emphasis, ...], console: Console) -> Text:
     """A text with its emphases in colours, or between signs where there are none."""
     if console.color_system is None:
         # From the end, so that places keep; of two marks at one place the weightier is outside.
-        for each in sorted(marks, key=lambda mark: (-mark.start, -list(Weight).index(mark.weight))):
-            sign = SIGNS[each.weight]
-            text = f"{text[: each.start]}{sign}{text[each.start : each.end]}{sign}{text[each.end :]}"
+        order = list(Weight)
+        for each in sorted(marks, key=lambda mark: (-mark.start, -order.index(mark.weight))):
+            sign, word = SIGNS[each.weight], text[each.start : each.end]
+            text = f"{text[: each.start]}{sign}{word}{sign}{text[each.end :]}"
         return Text(text)
     coloured = Text(text)
     for each in marks:
@@ -112,11 +114,15 @@ def shown(text: str, marks: tuple[Emphasis, ...], console: Console) -> Text:
     return coloured
 
 
-def confirmed(text: str) -> str:
+def confirmed(text: str, marks: tuple[Emphasis, ...]) -> str:
     """The text as the person at the terminal says it should be, shown anew after each change.
 
     raises Abort: when they say no more
     """
+    doubtful = [text[each.start : each.end] for each in marks if each.weight is Weight.UNCLEAR]
+    if doubtful:
+        asked = " ".join(f"“{word}”" for word in doubtful)
+        click.echo(f"plainspoken: not sure of {asked}: is that what you said?", err=True)
     while True:
         said = click.prompt(
             "Enter to accept, or type what you said", default=text, show_default=False, err=True

@@ -12,10 +12,11 @@ from enum import StrEnum
 from typing import Any, Protocol
 
 from plainspoken.errors import PlainspokenError
-from plainspoken.language.patience import Seconds, waited_for
+from plainspoken.language.patience import waited_for
 
 Schema = Mapping[str, Any]
 """A JSON schema that the text should keep to; not every model does."""
+Seconds = float
 PATIENCE: Seconds = 60.0
 """How long a model may take over one reply, unless told otherwise."""
 
