@@ -320,7 +320,11 @@ class Watch:
         time = utc_now().isoformat(timespec="milliseconds")
         talk.add(Said(who, text, time=time, step=view.step))
         self.feed.tell()
-        order = None if view.is_over or not self.visitor.may_command else order_in(text)
+        order = None if view.is_over else order_in(text)
+        if order is not None and not self.visitor.may_command:
+            talk.add(Said("robot", "You may look and ask here; an operator commands."))
+            self.feed.tell()
+            return
         if order is not None:
             await {
                 "pause": self.commands.pause,
