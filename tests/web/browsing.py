@@ -54,7 +54,9 @@ class Served:
         arguments = (str(self.port), self._folder / "missions.db", self._folder / "allowed")
         # What NiceGUI makes of itself inside of tests is not what we want to see.
         environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST")}
-        self._process = subprocess.Popen([sys.executable, SERVING, *arguments, *self._options], env=environment)
+        self._process = subprocess.Popen(
+            [sys.executable, SERVING, *arguments, *self._options], env=environment
+        )
         wait_for(self.url, self._process)
 
     def kill(self) -> None:

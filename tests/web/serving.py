@@ -97,9 +97,7 @@ def serve(chosen: argparse.Namespace, hearing: Hearing, access: Access) -> None:
     with Store(SqliteDatabase(chosen.store)) as kept:
         desk = Desk(sites, kept, robot_for)
         layouts = {sites["vineyard"].problem.name: layout}
-        page = create_app(
-            desk, layouts=layouts, visitor_of=caller_of, missing=hearing.missing
-        )
+        page = create_app(desk, layouts=layouts, visitor_of=caller_of, missing=hearing.missing)
         app = behind_gate(page, desk, access, Names.of("127.0.0.1"), hearing=hearing)
         try:
             run(app, host="127.0.0.1", port=chosen.port)

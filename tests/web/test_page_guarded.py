@@ -34,9 +34,7 @@ def tokens() -> dict[str, Token]:
 
 
 @pytest.fixture(scope="module")
-def server(
-    tmp_path_factory: pytest.TempPathFactory, tokens: dict[str, Token]
-) -> Iterator[Served]:
+def server(tmp_path_factory: pytest.TempPathFactory, tokens: dict[str, Token]) -> Iterator[Served]:
     """A server whose robots wait before the end of their second action."""
     folder = tmp_path_factory.mktemp("guarded")
     for name, role in PEOPLE.items():
@@ -96,7 +94,7 @@ def test_a_viewer_looks_and_asks_and_is_refused_every_command_in_words(
         expect(page.locator(".timeline")).not_to_contain_text("cancelled")
 
 
-def test_a_viewer_starts_nothing(server: Served, pages: dict[str, Page]) -> None:
+def test_a_viewer_starts_nothing(pages: dict[str, Page]) -> None:
     vera = pages["vera"]
     vera.get_by_label("Say it in your own words").fill(SENTENCE)
     vera.get_by_role("button", name="Understand").click()

@@ -169,7 +169,9 @@ def test_whisper_hears_what_is_said_into_the_microphone(tmp_path: Path) -> None:
             listened(page, 4)
             page.get_by_role("button", name="End").click()
             said = page.get_by_label("Say it in your own words")
-            expect(said).to_have_value(re.compile(r"line 2.*never.*line 3", re.I), timeout=180_000)
+            expect(said).to_have_value(
+                re.compile(r"line 2.*never.*line 3", re.IGNORECASE), timeout=180_000
+            )
             expect(page.locator(".weight.negation mark")).to_have_text(["never"])
     finally:
         server.stop()

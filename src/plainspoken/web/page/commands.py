@@ -44,7 +44,7 @@ class Commands:
         await self._ask(self.desk.resume)
 
     async def cancel(self) -> None:
-        """Give the mission up, once that is confirmed; whoever confirms has seen what was before."""
+        """Give the mission up, once that is confirmed by somebody who saw it as it was then."""
         seen = self.view().step
         if await confirmed(
             "Cancel this mission?",
@@ -80,9 +80,7 @@ class Commands:
         view = self.view()
         return wanted(text, mission_from(view.entries), view.moment.lexicon)
 
-    def _offer(
-        self, found: ChangeOfMind, shown: ui.element, dialog: ui.dialog, seen: Step
-    ) -> None:
+    def _offer(self, found: ChangeOfMind, shown: ui.element, dialog: ui.dialog, seen: Step) -> None:
         """Say back what was understood, to be confirmed."""
         shown.clear()
         with shown:
