@@ -48,6 +48,11 @@ PACE = 0.6
     show_default=True,
     help="Real seconds for each simulated one.",
 )
+@click.option(
+    "--side-by-side",
+    is_flag=True,
+    help="Have several robots at work at once, where what they do does not get in the way.",
+)
 @click.option("--demo", is_flag=True, help="Have a mission under way in the vineyard.")
 def serve(
     *,
@@ -67,6 +72,7 @@ def serve(
     seed: int,
     steer: tuple[str, ...],
     pace: float,
+    side_by_side: bool,
     demo: bool,
 ) -> None:
     """Open the page: say what should be done, confirm it, watch it, ask about it.
@@ -109,7 +115,7 @@ def serve(
     with open_store(store) as kept:
         desk = Desk(sites, kept, partial(robot_for, kept))
         try:
-            robot = chosen.to_json()
+            robot = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
             page = create_app(
                 desk, robot=robot, layouts=layouts, visitor_of=caller_of, missing=hearing.missing
             )
