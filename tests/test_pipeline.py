@@ -4,8 +4,11 @@ from collections.abc import Generator, Sequence
 from functools import cache
 
 import pytest
+from tests.language.recordings import heard, pcm16, tone, wav
 
 from plainspoken.knowledge.facts import facts_after
+from plainspoken.language.recording import UnreadableRecordingError
+from plainspoken.language.transcription import Samples, SilentAudio, Transcript
 from plainspoken.logic.formula import atoms
 from plainspoken.logic.syntax import parse
 from plainspoken.logic.trace import holds
@@ -21,6 +24,7 @@ from plainspoken.pipeline import (
     go_on,
     open_site,
     site_of,
+    transcribe_upload,
     understand,
 )
 from plainspoken.planning.solver import Solved, Unsolvable
@@ -128,3 +132,20 @@ def test_landmarks_are_derived_where_no_file_gives_them() -> None:
     folder = bundled("vineyard")
     site = open_site(folder / "domain.pddl", folder / "problem.pddl")
     assert {"robot_at_rob_l2", "full_b", "harvest_grape_executed"} <= set(site.landmarks)
+
+
+def test_a_recording_that_somebody_sends_is_heard_with_the_words_of_the_site() -> None:
+    told: list[tuple[str, ...]] = []
+
+    def hears(_: Samples, hints: Sequence[str], /) -> Transcript:
+        told.append(tuple(hints))
+        return heard("Never enter line 3.")
+
+    sent = wav(pcm16(tone(440, 1)))
+    found = transcribe_upload(sent, "audio/wav", vineyard(), hears)
+    assert found.text == "Never enter line 3."
+    assert {"warehouse", "grape 0"} <= set(told[0])
+    with pytest.raises(UnreadableRecordingError, match="audio/webm"):
+        transcribe_upload(sent, "audio/webm", vineyard(), hears)
+    with pytest.raises(SilentAudio):
+        transcribe_upload(wav(bytes(32_000)), "audio/wav", vineyard(), hears)

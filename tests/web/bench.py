@@ -24,6 +24,7 @@ from plainspoken.web.api import Office, create_api
 from plainspoken.web.api.application import PREFIX
 from plainspoken.web.desk import Desk
 from plainspoken.web.gate import Gate
+from plainspoken.web.hearing import Hearing
 from plainspoken.web.rate import Rates
 from plainspoken.world.event import Entry
 
@@ -84,9 +85,16 @@ class Bench:
         return name
 
 
-def bench(desk: Desk, access: Access, rates: Rates | None = None, *, patience: float = 60) -> Bench:
+def bench(
+    desk: Desk,
+    access: Access,
+    rates: Rates | None = None,
+    *,
+    patience: float = 60,
+    hearing: Hearing | None = None,
+) -> Bench:
     """A server at a desk; patience: for commands, less where nobody is there to hear them."""
-    office = Office(desk, rates=rates, patience=patience)
+    office = Office(desk, rates=rates, patience=patience, hearing=hearing)
     inside = Starlette(routes=[Mount(PREFIX, create_api(office))])
     app = Gate(inside, access, Names.of("127.0.0.1", ["testserver"]), rates=rates)
     return Bench(desk, office, access, app)

@@ -7,10 +7,10 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from urllib.error import URLError
+from urllib.error import HTTPError, URLError
 from urllib.request import urlopen
 
 import pytest
@@ -36,9 +36,10 @@ SERVING = Path(__file__).with_name("serving.py")
 class Served:
     """A server of the page, which can be killed and started again with the same store."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *options: str) -> None:
         """Start it; its store, and what its robots may do, are kept in the folder."""
         self._folder = folder
+        self._options = options
         self.port = free_port()
         self.url = f"http://127.0.0.1:{self.port}"
         self.start()
@@ -53,7 +54,9 @@ class Served:
         arguments = (str(self.port), self._folder / "missions.db", self._folder / "allowed")
         # What NiceGUI makes of itself inside of tests is not what we want to see.
         environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST")}
-        self._process = subprocess.Popen([sys.executable, SERVING, *arguments], env=environment)
+        self._process = subprocess.Popen(
+            [sys.executable, SERVING, *arguments, *self._options], env=environment
+        )
         wait_for(self.url, self._process)
 
     def kill(self) -> None:
@@ -71,6 +74,8 @@ def wait_for(url: str, process: subprocess.Popen[bytes]) -> None:
         assert process.poll() is None, "the server ended"
         try:
             urlopen(f"{url}/missions", timeout=20).close()  # noqa: S310 - it is our own server
+        except HTTPError:
+            return  # it lives, and asks for a token
         except (URLError, OSError):
             time.sleep(0.1)
         else:
@@ -96,21 +101,31 @@ def free_port() -> int:
 
 
 @contextmanager
-def browser(folder: Path, **options: object) -> Iterator[BrowserContext]:
-    """A browser of its own, with nothing in it."""
-    with sync_playwright() as playwright:
-        context = playwright.chromium.launch_persistent_context(
-            str(folder),
-            executable_path=CHROMIUM,
-            args=list(FLAGS),
-            **{"reduced_motion": "reduce", **options},
-        )
-        context.set_default_timeout(PATIENCE)
-        context.set_default_navigation_timeout(PATIENCE)
-        try:
-            yield context
-        finally:
-            context.close()
+def browser(folder: Path, *flags: str, **options: object) -> Iterator[BrowserContext]:
+    """A browser of its own, with nothing in it; flags: more of Chromium's."""
+    with browsers([folder], *flags, **options) as (found,):
+        yield found
+
+
+@contextmanager
+def browsers(
+    folders: Sequence[Path], *flags: str, **options: object
+) -> Iterator[list[BrowserContext]]:
+    """Browsers that know nothing of each other, one in each folder."""
+    with sync_playwright() as playwright, ExitStack() as opened:
+        found = []
+        for folder in folders:
+            context = playwright.chromium.launch_persistent_context(
+                str(folder),
+                executable_path=CHROMIUM,
+                args=[*FLAGS, *flags],
+                **{"reduced_motion": "reduce", **options},
+            )
+            opened.callback(context.close)
+            context.set_default_timeout(PATIENCE)
+            context.set_default_navigation_timeout(PATIENCE)
+            found.append(context)
+        yield found
 
 
 def say(page: Page, url: str, sentence: str) -> None:

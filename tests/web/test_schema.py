@@ -16,15 +16,18 @@ from schemathesis.specs.openapi.checks import (
     response_schema_conformance,
     status_code_conformance,
 )
+from tests.language.recordings import heard
 from tests.web.bench import SITE, bench, slow_robot, until
 
 from plainspoken.cli.store import open_store
 from plainspoken.web.access import Access
 from plainspoken.web.api import Office, create_api
 from plainspoken.web.desk import Desk
+from plainspoken.web.hearing import Hearing
 from plainspoken.web.rate import Rates
 
 API = "/api/v1"
+schemathesis.serializer.alias("audio/wav", "application/octet-stream")
 CHECKS = [
     not_a_server_error,
     status_code_conformance,
@@ -46,7 +49,8 @@ def described(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     days = count(0, 86400)
     with open_store(str(folder / "store.sqlite")) as store:
         desk = Desk({"vineyard": SITE}, store, slow_robot)
-        it = bench(desk, Access(None, everyone="ada"), Rates(lambda: next(days)), patience=0.1)
+        it = bench(desk, Access(None, everyone="ada"), Rates(lambda: next(days)), patience=0.1,
+                   hearing=Hearing(lambda: lambda *_: heard("never")))  # fmt: skip
         it.started(OVER)
         it.started(PAUSED)
         desk.pause(PAUSED, "ada")

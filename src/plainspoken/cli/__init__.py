@@ -13,6 +13,7 @@ from plainspoken.errors import PlainspokenError
 COMMANDS = {
     "demo": "Play the whole story on the bundled vineyard.",
     "extract": "Turn a sentence into a formula, stage by stage.",
+    "listen": "Turn a recording into text, and that into a formula.",
     "plan": "Find a policy that reaches a goal whatever happens.",
     "check": "Validate a policy from the PDDL and the formula alone.",
     "export": "Write a policy or an automaton for other tools.",

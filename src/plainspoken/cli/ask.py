@@ -68,6 +68,7 @@ from plainspoken.world.sense import Senses
     help="Have a language model say it, checked, in its words.",
 )
 @click.option("--explain", is_flag=True, help="Show what a model said, and what was wrong with it.")
+@click.option("--speak", is_flag=True, help="Say the answer aloud, too, by espeak-ng.")
 @click.option("--json", "as_json", is_flag=True, help="Print claims and evidence, too.")
 def ask(
     *,
@@ -85,6 +86,7 @@ def ask(
     rephrase: str | None,
     explain: bool,
     talk: bool,
+    speak: bool,
     as_json: bool,
 ) -> None:
     """Ask what the robot is doing, has done, will do, why, and how far it is.
@@ -123,15 +125,22 @@ def ask(
         return found, found.to_json(id, text, time.perf_counter() - started)
 
     if batch is not None:
+        if speak:
+            raise click.UsageError("--speak goes with one QUESTION, not with --batch")
         run_batch(batch, out, "question", lambda text, id: answered(text, id)[1])
     elif not question or not question.strip():
         raise click.UsageError("ask a QUESTION, in quotes, or give --batch")
     elif as_json:
-        click.echo(json.dumps(answered(question)[1], indent=2, ensure_ascii=False))
+        found, document = answered(question)
+        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
+        _spoken(found.text, speak=speak)
     elif rephrase is not None:
-        _say_rephrased(answered(question)[0], moment, rephrase, explain=explain)
+        said = _say_rephrased(answered(question)[0], moment, rephrase, explain=explain)
+        _spoken(said, speak=speak)
     else:
-        click.echo(answered(question)[0].text)
+        text = answered(question)[0].text
+        click.echo(text)
+        _spoken(text, speak=speak)
 
 
 def _words(path: Path | None, moment: Moment) -> Words:
@@ -181,7 +190,15 @@ def _looked(
     return replace(seen, text=f"Let me look. {seen.text}"), then
 
 
-def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> None:
+def _spoken(text: str, *, speak: bool) -> None:
+    """Say an answer that was printed."""
+    if speak:
+        from plainspoken.backends.espeak import Espeak
+
+        Espeak().say(text)
+
+
+def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) -> str:
     """Print an answer in a model's words where they pass, else as it was computed."""
     from plainspoken.cli.translator import language_model
     from plainspoken.language.completion import PATIENCE
@@ -191,12 +208,13 @@ def _say_rephrased(found: Answer, moment: Moment, model: str, *, explain: bool) 
         said = rephrased(found, moment, connected)
     click.echo(said.text)
     if not explain:
-        return
+        return said.text
     for attempt in said.attempts:
         verdict = "; ".join(attempt.faults) or "states what was computed, and nothing else"
         click.echo(f"  {attempt.text or '(no text)'}\n    {verdict}", err=True)
     if said.fell_back:
         click.echo("  so the computed words are said", err=True)
+    return said.text
 
 
 def _entries(log: Path | None, mission: str | None, store: str | None) -> Sequence[Entry]:

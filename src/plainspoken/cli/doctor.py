@@ -68,6 +68,7 @@ def doctor(
     remedy = "pip install 'plainspoken[postgres]'"
     findings.append(("psycopg", _version("psycopg"), "--store postgresql://...", remedy))
     findings += robot_findings()
+    findings += speech_findings()
     findings += model_findings(os.environ)
     store = os.environ.get(STORE_VARIABLE) or str(store_path(None))
     findings.append(("store", without_password(store), "missions", ""))
@@ -91,6 +92,20 @@ def robot_findings() -> list[tuple[str, str, str, str]]:
         ("py-trees", _version("py-trees"), "run --robots FILE: activities", GET_IT),
         ("pyyaml", _version("pyyaml"), "run --robots FILE: the file", GET_IT),
         ("rclpy", ros, "run --robots FILE: robots over ROS 2", ros_remedy),
+    ]
+
+
+def speech_findings() -> list[tuple[str, str, str, str]]:
+    """What there is to listen and to speak with, and what is missing."""
+    from plainspoken.backends import espeak, whisper
+
+    weights = ", ".join(sorted({part.parent.name for part in whisper.packaged_weights()}))
+    chosen = os.environ.get(whisper.MODEL_VARIABLE, "")
+    remedy = f"{whisper.GET_WEIGHTS}, or name a folder with --whisper"
+    return [
+        ("faster-whisper", _version("faster-whisper"), "listen", whisper.GET_IT),
+        ("Whisper's weights", chosen or weights, "listen", remedy),
+        (espeak.PROGRAM, shutil.which(espeak.PROGRAM) or "", "ask --speak", espeak.GET_IT),
     ]
 
 

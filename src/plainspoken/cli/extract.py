@@ -58,7 +58,7 @@ def extract(
     plainspoken extract --landmarks L.json --batch sentences.jsonl --out formulas.jsonl
     plainspoken extract "Line 2, then line 1" --mode both --model ollama:qwen3
     """
-    vocabulary = _vocabulary(domain, problem, landmarks)
+    vocabulary = vocabulary_of(domain, problem, landmarks)
     if batch is not None:
         with chosen_translator() as translate:
             run_batch(
@@ -124,7 +124,8 @@ def shown(extraction: Extraction, vocabulary: Vocabulary) -> Examples:
     return examples(extraction.formula, vocabulary.landmarks)
 
 
-def _vocabulary(domain: Path | None, problem: Path | None, landmarks: Path | None) -> Vocabulary:
+def vocabulary_of(domain: Path | None, problem: Path | None, landmarks: Path | None) -> Vocabulary:
+    """The words for what the options name; a landmarks file alone is enough."""
     if landmarks is not None and domain is None and problem is None:
         return Vocabulary.of(read_landmarks(landmarks))
     found: Vocabulary = chosen_site(domain, problem, landmarks).vocabulary

@@ -31,6 +31,14 @@ PACE = 0.6
 @guard_options
 @click.option("--layout", type=FILE, metavar="FILE", help="Where places lie on the map (JSON).")
 @click.option("--robots", type=FILE, metavar="FILE", help="Robots that are not simulated (YAML).")
+@click.option(
+    "--whisper",
+    type=FILE,
+    metavar="FOLDER",
+    envvar="PLAINSPOKEN_WHISPER",
+    show_envvar=True,
+    help="Weights of Whisper for CTranslate2 (default: those that a package holds).",
+)
 @click.option("--seed", default=0, show_default=True, help="Chances of the simulated robot.")
 @click.option("--steer", multiple=True, metavar="FACT", help="What its chances should bring about.")
 @click.option(
@@ -39,6 +47,11 @@ PACE = 0.6
     default=PACE,
     show_default=True,
     help="Real seconds for each simulated one.",
+)
+@click.option(
+    "--side-by-side",
+    is_flag=True,
+    help="Have several robots at work at once, where what they do does not get in the way.",
 )
 @click.option("--demo", is_flag=True, help="Have a mission under way in the vineyard.")
 def serve(
@@ -55,9 +68,11 @@ def serve(
     tls_key: Path | None,
     layout: Path | None,
     robots: Path | None,
+    whisper: Path | None,
     seed: int,
     steer: tuple[str, ...],
     pace: float,
+    side_by_side: bool,
     demo: bool,
 ) -> None:
     """Open the page: say what should be done, confirm it, watch it, ask about it.
@@ -80,6 +95,7 @@ def serve(
     from plainspoken.pipeline import bundled
     from plainspoken.web.address import Names, at
     from plainspoken.web.desk import Desk
+    from plainspoken.web.hearing import whisper_hearing
     from plainspoken.web.page.layout import read_layout
 
     access = guarding(host, names, tokens)
@@ -95,12 +111,17 @@ def serve(
     if layout is not None:
         layouts[first.problem.name] = read_layout(layout)
     chosen = chosen_robot(None, robots, Settings(seed, steer, pace=0.0 if robots else pace))
+    hearing = whisper_hearing(whisper)
     with open_store(store) as kept:
         desk = Desk(sites, kept, partial(robot_for, kept))
         try:
-            robot = chosen.to_json()
-            page = create_app(desk, robot=robot, layouts=layouts, visitor_of=caller_of)
-            app = behind_gate(page, desk, access, Names.of(host, names), robot=robot)
+            robot = chosen.to_json() | ({"side_by_side": True} if side_by_side else {})
+            page = create_app(
+                desk, robot=robot, layouts=layouts, visitor_of=caller_of, missing=hearing.missing
+            )
+            app = behind_gate(
+                page, desk, access, Names.of(host, names), robot=robot, hearing=hearing
+            )
             if demo:
                 start_demo(desk, pace)
             address = f"{'http' if tls_cert is None else 'https'}://{at(host)}:{port}"

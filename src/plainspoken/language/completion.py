@@ -6,14 +6,13 @@ A model is anything that can be called so; a fake is a function. What it says is
 
 from __future__ import annotations
 
-import queue
-import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any, Protocol
 
 from plainspoken.errors import PlainspokenError
+from plainspoken.language.patience import waited_for
 
 Schema = Mapping[str, Any]
 """A JSON schema that the text should keep to; not every model does."""
@@ -64,22 +63,6 @@ def within(model: LanguageModel, seconds: Seconds) -> LanguageModel:
     """The model, given up on after so many seconds, whatever it is waiting for."""
 
     def complete(messages: Sequence[Message], schema: Schema, /) -> str:
-        ended: queue.SimpleQueue[str | BaseException] = queue.SimpleQueue()
-
-        def attempt() -> None:
-            try:
-                ended.put(model(messages, schema))
-            except BaseException as error:  # noqa: BLE001 - handed to the thread that waits
-                ended.put(error)
-
-        # A daemon: a request that hangs must not keep the program from ending.
-        threading.Thread(target=attempt, name="completion", daemon=True).start()
-        try:
-            reply = ended.get(timeout=seconds)
-        except queue.Empty:
-            raise CompletionTimeoutError(seconds) from None
-        if isinstance(reply, BaseException):
-            raise reply
-        return reply
+        return waited_for(lambda: model(messages, schema), seconds, CompletionTimeoutError(seconds))
 
     return complete

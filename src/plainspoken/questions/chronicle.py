@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Any, Literal
 
+from plainspoken.logic.english import say
+from plainspoken.logic.syntax import parse
 from plainspoken.mission.mission import GoalId
 from plainspoken.questions.lexicon import Lexicon
-from plainspoken.world.domain import State
+from plainspoken.questions.morphology import listed
+from plainspoken.world.domain import GroundAction, State
 from plainspoken.world.event import (
     ActionFailed,
     ActionFinished,
@@ -22,6 +25,7 @@ from plainspoken.world.event import (
     Entry,
     Event,
     Instant,
+    LookRequested,
     MissionAccepted,
     MissionEnded,
     ObservationMade,
@@ -76,7 +80,7 @@ class Chronicle:
         before, self._state = self._state, self._state if state is None else state
         match event:
             case ActionStarted(action, _, goal_id):
-                doing = self._lexicon.deed(action).doing
+                doing = self._doing(action)
                 self._going[goal_id] = self._line(entry, "action", doing, going=True)
             case ActionProgressed(goal_id, _, part) if part is not None and goal_id in self._going:
                 self._going[goal_id] = replace(self._going[goal_id], came_of=part)
@@ -84,15 +88,30 @@ class Chronicle:
                 came_of = news(before, self._state, self._lexicon)
                 if misreported:
                     came_of += " (the robot said otherwise)"
-                deed = self._lexicon.deed(action)
-                self._settle(goal_id, self._line(entry, "action", deed.doing, came_of))
+                self._settle(goal_id, self._line(entry, "action", self._doing(action), came_of))
             case ActionFailed(action, goal_id, reason):
-                deed = self._lexicon.deed(action)
-                self._settle(goal_id, self._line(entry, "trouble", deed.doing, f"failed: {reason}"))
+                doing = self._doing(action)
+                self._settle(goal_id, self._line(entry, "trouble", doing, f"failed: {reason}"))
+            case ObservationMade(source=source, sensed=sensed) if sensed:
+                came_of = "; ".join(_sensed(each, self._lexicon) for each in sensed)
+                self._lines.append(self._line(entry, "seen", f"looked ({source})", came_of))
+            case LookRequested(by, atoms):
+                asked = listed([self._lexicon.clause(atom).said() for atom in atoms], "or")
+                text = f"{by} wants to know whether {asked}"
+                self._lines.append(self._line(entry, "person", text))
+            case VerdictReached(verdict="violated"):
+                text = "what was asked for cannot hold any more"
+                reason = _broken(event, self._lexicon)
+                self._lines.append(self._line(entry, "trouble", text, reason))
             case _:
                 found = _told(event, news(before, self._state, self._lexicon))
                 if found is not None:
                     self._lines.append(self._line(entry, *found))
+
+    def _doing(self, action: GroundAction) -> str:
+        """What is done, and by which robot where it is not the one that speaks."""
+        deed = self._lexicon.deed(action)
+        return deed.doing if deed.subject == "I" else f"{deed.subject}: {deed.doing}"
 
     @property
     def lines(self) -> tuple[Line, ...]:
@@ -132,6 +151,23 @@ def _facts(atoms: State, lexicon: Lexicon, *, true: bool) -> list[str]:
     return [lexicon.clause(atom).said(negative=not true) for atom in sorted(atoms)]
 
 
+def _sensed(told: Mapping[str, Any], lexicon: Lexicon) -> str:
+    """What one service told of one fact; that it could not tell, where it could not."""
+    atom, holds = str(told["atom"]), told["holds"]
+    if holds is None:
+        return f"cannot tell whether {lexicon.clause(atom).said()}"
+    return lexicon.clause(atom).said(negative=not holds)
+
+
+def _broken(reached: VerdictReached, lexicon: Lexicon) -> str:
+    """What cannot be met any more, or cannot be met together, or why nothing helps."""
+    if reached.reason is not None:
+        return reached.reason
+    texts = reached.together or ((reached.clause,) if reached.clause else ())
+    said = [say(parse(text), lexicon.landmarks) for text in texts]
+    return f"not all of these: {' '.join(said)}" if reached.together else " ".join(said)
+
+
 def _told(event: Event, news: str) -> tuple[Sort, str, str] | None:
     """Sort, text and what came of it, of an event that is no action."""
     match event:
@@ -147,8 +183,6 @@ def _told(event: Event, news: str) -> tuple[Sort, str, str] | None:
             return "seen", f"looked ({source})", news
         case ReportReceived():
             return "person", remark(event) or "", news
-        case VerdictReached(verdict="violated", clause=clause):
-            return "trouble", "what was asked for cannot hold any more", clause or ""
         case VerdictReached():
             return "end", "everything asked for holds, whatever happens now", ""
         case MissionEnded(outcome, satisfied, reason):

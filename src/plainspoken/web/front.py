@@ -15,6 +15,7 @@ from plainspoken.web.api import Office, create_api
 from plainspoken.web.api.application import PREFIX
 from plainspoken.web.desk import Desk
 from plainspoken.web.gate import CALLER, Gate, Limits
+from plainspoken.web.hearing import Hearing
 from plainspoken.web.login import login_routes
 from plainspoken.web.rate import Rates
 
@@ -27,15 +28,17 @@ def behind_gate(
     *,
     robot: Mapping[str, Any] | None = None,
     limits: Limits | None = None,
+    hearing: Hearing | None = None,
 ) -> ASGIApp:
     """The page with everything beside it, as one application.
 
-    page:  what is served wherever nothing else is
-    robot: carries out what programs start, for its log
+    page:    what is served wherever nothing else is
+    robot:   carries out what programs start, for its log
+    hearing: of what is said into a microphone
     """
     rates = Rates()
     beside = [
-        Mount(PREFIX, create_api(Office(desk, robot=robot, rates=rates))),
+        Mount(PREFIX, create_api(Office(desk, robot=robot, rates=rates, hearing=hearing))),
         *login_routes(access, rates),
     ]
     page.router.routes[:0] = beside  # before the page, which answers to every path

@@ -23,6 +23,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from plainspoken.errors import PlainspokenError
 from plainspoken.web.access import Access, Caller
 from plainspoken.web.address import Names, is_same_origin
+from plainspoken.web.hearing import MOST_BYTES
 from plainspoken.web.problem import Problem, refusal, response_of
 from plainspoken.web.rate import Rate, Rates, Seats, TooManyError
 
@@ -31,6 +32,7 @@ COOKIE = "plainspoken_login"
 STILL = "plainspoken.still"
 LOGIN, LOGOUT = "/login", "/logout"
 API = "/api/"
+SPEECH = "/api/v1/transcripts"
 STATIC = "/_nicegui/"
 """Files of the page's framework: the same for everyone, and many for each page."""
 
@@ -73,7 +75,12 @@ class Limits:
     """
 
     bodies: Mapping[str, int] = field(
-        default_factory=lambda: {"/": 1024 * KILOBYTE, API: 64 * KILOBYTE, LOGIN: 4 * KILOBYTE}
+        default_factory=lambda: {
+            "/": 1024 * KILOBYTE,
+            API: 64 * KILOBYTE,
+            SPEECH: MOST_BYTES,
+            LOGIN: 4 * KILOBYTE,
+        }
     )
 
     def body(self, path: str) -> int:

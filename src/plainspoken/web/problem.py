@@ -10,6 +10,7 @@ from starlette.responses import JSONResponse
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.database import StoreError
 from plainspoken.knowledge.log import OvertakenError
+from plainspoken.language.transcription import TranscriptionError
 from plainspoken.web.desk import (
     Command,
     MissionOverError,
@@ -48,6 +49,7 @@ _STATUS: tuple[tuple[type[PlainspokenError], int], ...] = (
     (OvertakenError, 409),
     (TooManyError, 429),
     (StoreError, 503),
+    (TranscriptionError, 503),
 )
 
 

@@ -35,15 +35,17 @@ def create_app(
     robot: Mapping[str, Any] | None = None,
     layouts: Mapping[str, Layout] | None = None,
     visitor_of: VisitorOf | None = None,
+    missing: str | None = None,
 ) -> FastAPI:
     """The application; one in a process, since NiceGUI has one register of pages.
 
     robot:      the robot of missions that are started here, for their log
     layouts:    the maps, by the name of the planning problem
     visitor_of: who sends a request, None where everybody may do everything
+    missing:    what there is to do before anybody can speak here, None where they can
     """
     app = FastAPI(title="plainspoken", docs_url=None, redoc_url=None)
-    house = House(desk, Feeds(desk, layouts or {}), Cards(desk), dict(robot or {}))
+    house = House(desk, Feeds(desk, layouts or {}), Cards(desk), dict(robot or {}), missing)
     open_pages(house, visitor_of or (lambda _: Anybody()))
     # Quasar's bar for requests has no name that a screen reader could say, and nothing to tell.
     nicegui.config.quasar_config["loadingBar"] = {"skipHijack": True}

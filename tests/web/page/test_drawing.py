@@ -111,7 +111,7 @@ def test_a_grape_in_the_box_hangs_no_longer_on_its_line_and_the_box_fills() -> N
 
 
 def test_the_way_that_is_gone_and_the_robot_at_work_are_marked() -> None:
-    found = parts(vineyard().svg(Scene(site("vineyard").problem.initial, "move rob l0 l1")))
+    found = parts(vineyard().svg(Scene(site("vineyard").problem.initial, ("move rob l0 l1",))))
     assert found["way l0 l1"].attrib["class"] == "way now"
     assert found["way l1 l2"].attrib["class"] == "way"
     assert found["thing rob"].attrib["class"] == "robot busy"

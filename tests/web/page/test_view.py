@@ -1,9 +1,12 @@
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
 
 pytest.importorskip("nicegui", reason="the page is an extra: pip install 'plainspoken[web]'")
+
+from tests.mission import store_room, two_robots
 
 from plainspoken.automata.verdict import Verdict
 from plainspoken.logic.syntax import parse
@@ -19,7 +22,8 @@ from plainspoken.web.page.ground import Ground
 from plainspoken.web.page.layout import Layout
 from plainspoken.web.page.speech import Said, bubbles
 from plainspoken.web.page.view import View, age
-from plainspoken.world.event import Entry, Event
+from plainspoken.world.event import ActionStarted, Entry, Event, MissionAccepted
+from plainspoken.world.sense import Sense
 
 FOLDER = bundled("vineyard")
 SITE = open_site(FOLDER / "domain.pddl", FOLDER / "problem.pddl", FOLDER / "landmarks.json")
@@ -76,7 +80,7 @@ def test_each_part_of_the_request_has_its_verdict(entries: Sequence[Entry]) -> N
 
 
 def test_what_is_known_says_since_when_and_how(entries: Sequence[Entry]) -> None:
-    known = view(entries).known
+    known = view(entries).known(datetime.fromisoformat(entries[-1].time))
     unripe = next(each for each in known if each.fact.atom == "unripe g1")
     assert unripe.text == "Grape 1 is unripe."
     assert unripe.things == ("g1",)
@@ -137,3 +141,49 @@ def test_the_age_of_a_fact_is_told_in_one_unit() -> None:
     }
     assert ages == {"3 s", "2 min", "2 h", "2 d"}
     assert age((now + timedelta(seconds=5)).isoformat(), now) == "0 s"
+
+
+def test_what_nobody_knows_and_what_was_seen_too_long_ago_are_shown_as_such() -> None:
+    _, log = store_room.carried_out(store_room.veiled()[0])
+    first = view(log, log[1].step)
+    then = datetime.fromisoformat(log[1].time)
+    table = panels.known(first.known(then), then)
+    assert "<td>Whether the red room is locked.<br/>" in table
+    assert "not known" in table
+    assert "nobody has looked" in table
+    looked = next(each for each in log if "full ramp" in str(getattr(each.event, "sensed", "")))
+    after = datetime.fromisoformat(looked.time)
+    (ramp,) = (k for k in view(log, looked.step).known(after) if k.fact.atom == "full ramp")
+    assert ramp.text == "The ramp is full."
+    assert "looked at by simulator" in panels.known([ramp], after)
+
+
+def test_a_fact_fades_with_time_and_says_so() -> None:
+    _, log = store_room.carried_out(store_room.veiled()[0])
+    first = log[0].event
+    assert isinstance(first, MissionAccepted)
+    lasting = {"senses": [Sense("full {p}", ("eye",), lasts=600.0, needed=True).to_json()]}
+    fading = [replace(log[0], event=replace(first, robot={**first.robot, **lasting})), *log[1:]]
+    seen = datetime.fromisoformat(log[-1].time)
+    assert view(fading).fades
+    for minutes, kind in ((1, "false"), (30, "stale")):
+        later = seen + timedelta(minutes=minutes)
+        table = panels.known(view(fading).known(later), later)
+        row = next(each for each in table.split("<tr ") if "fact full ramp" in each)
+        assert f'class="{kind}"' in row
+    assert "not sure any more" in row
+    assert "when I last knew" in row
+
+
+def test_two_robots_at_work_are_both_told_and_both_drawn_as_busy() -> None:
+    started = [
+        ActionStarted("drive cart bay desk", 0, "m/1"),
+        ActionStarted("drive fork bay plug", 1, "m/2"),
+    ]
+    events: list[Event] = [two_robots.accepted(two_robots.APART), *started]
+    log = [Entry(i, "2026-05-01T08:00:00+00:00", 0, each) for i, each in enumerate(events)]
+    seen = view(log)
+    assert seen.actions == tuple(each.action for each in started)
+    assert "desk" in seen.doing
+    assert "plug" in seen.doing
+    assert seen.map.count('class="robot busy"') == 2

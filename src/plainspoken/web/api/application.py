@@ -13,7 +13,15 @@ from starlette.responses import Response
 
 from plainspoken import __version__
 from plainspoken.errors import PlainspokenError
-from plainspoken.web.api import commands, events, missions, planning, questions, words
+from plainspoken.web.api import (
+    commands,
+    events,
+    missions,
+    planning,
+    questions,
+    transcripts,
+    words,
+)
 from plainspoken.web.api.office import Office
 from plainspoken.web.problem import Problem, refusal, response_of
 
@@ -40,7 +48,7 @@ _REFUSALS: dict[int | str, dict[str, Any]] = {
     413: {"description": "Too large."},
     422: {"description": "A field cannot be used."},
     429: {"description": "Too often, or too much at once; Retry-After says when."},
-    503: {"description": "The store is away; Retry-After says when to try again."},
+    503: {"description": "The store is away (Retry-After says until when), or speech is."},
 }
 
 
@@ -56,7 +64,7 @@ def create_api(office: Office) -> FastAPI:
         responses={status: {**each, "model": Problem} for status, each in _REFUSALS.items()},
     )
     api.state.office = office
-    for routes in (planning, missions, words, commands, events, questions):
+    for routes in (planning, missions, words, commands, events, questions, transcripts):
         api.include_router(routes.router)
     api.include_router(missions.whole)
     api.add_exception_handler(PlainspokenError, _ours)

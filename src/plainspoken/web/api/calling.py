@@ -9,6 +9,7 @@ from fastapi import Depends, HTTPException, Path, Request
 from plainspoken.web.access import Caller
 from plainspoken.web.api.office import COMMANDING, THINKING, Office
 from plainspoken.web.gate import CALLER
+from plainspoken.web.hearing import RECORDINGS
 
 
 def _office(request: Request) -> Office:
@@ -44,8 +45,14 @@ def _commanding(caller: TheOperator, office: TheOffice) -> None:
     office.rates.spend(COMMANDING, caller.name)
 
 
+def _listening(caller: TheOperator, office: TheOffice) -> None:
+    office.rates.spend(RECORDINGS, caller.name)
+
+
 THOUGHTFUL = Depends(_thinking)
 """For routes that cost more than looking something up."""
 COMMAND = Depends(_commanding)
+LISTEN = Depends(_listening)
+"""For recordings: they cost seconds."""
 
 MissionName = Annotated[str, Path(min_length=1, max_length=300, description="As in the list.")]

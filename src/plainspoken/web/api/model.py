@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from plainspoken.automata.verdict import Verdict
+from plainspoken.language.emphasis import Weight
 from plainspoken.language.extraction import LONGEST
 from plainspoken.mission.mission import Status
 from plainspoken.planning.policy import PolicyKind
@@ -326,3 +327,32 @@ class Answer(BaseModel):
     actions: list[dict[str, Any]]
     known: bool
     seconds: float
+
+
+# -- speech ------------------------------------------------------------------------------------
+
+
+class HeardWord(BaseModel):
+    """One word as it was heard. start and end: seconds; confidence: 0 to 1."""
+
+    text: str
+    start: float
+    end: float
+    confidence: float
+
+
+class Emphasis(BaseModel):
+    """A word to look at again, since it turns the meaning round. start, end: characters."""
+
+    start: int
+    end: int
+    weight: Weight
+
+
+class Transcript(BaseModel):
+    """What was heard in a recording, before anything is made of it."""
+
+    text: str
+    seconds: float
+    words: list[HeardWord]
+    emphases: list[Emphasis]

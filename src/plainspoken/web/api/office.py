@@ -15,6 +15,7 @@ from plainspoken.planning.policy import Policy
 from plainspoken.web.access import Caller
 from plainspoken.web.desk import HEARD_WITHIN, Desk, PlaceName
 from plainspoken.web.feed import Feed
+from plainspoken.web.hearing import Hearing
 from plainspoken.web.rate import Rate, Rates, Seats
 from plainspoken.web.standing import Standings
 
@@ -69,7 +70,8 @@ class Plans:
 class Office:
     """The desk, and what programs need beside it.
 
-    robot: which robot carries out what is started here, for its log
+    robot:   which robot carries out what is started here, for its log
+    hearing: of recordings, None where there is none
     """
 
     def __init__(
@@ -78,11 +80,13 @@ class Office:
         *,
         robot: Mapping[str, Any] | None = None,
         rates: Rates | None = None,
+        hearing: Hearing | None = None,
         patience: float = HEARD_WITHIN,
     ) -> None:
         """Open an office at a desk; patience: seconds to wait for a command to be heard."""
         self.desk = desk
         self.robot = dict(robot or {})
+        self.hearing = hearing
         self.feed = Feed(desk)
         self.standings = Standings(desk)
         self.plans = Plans()

@@ -23,6 +23,7 @@ from plainspoken.web.page.frame import Text, Visitor, button, confirmed, tell
 from plainspoken.web.page.living import Living
 from plainspoken.web.page.panels import buttons
 from plainspoken.web.page.view import View
+from plainspoken.world.event import Step
 
 
 @dataclass(frozen=True)
@@ -43,17 +44,19 @@ class Commands:
         await self._ask(self.desk.resume)
 
     async def cancel(self) -> None:
-        """Give the mission up, once that is confirmed."""
+        """Give the mission up, once that is confirmed by somebody who saw it as it was then."""
+        seen = self.view().step
         if await confirmed(
             "Cancel this mission?",
             f"“{self.view().title}” is given up for good. What was done stays done.",
             "Yes, cancel it",
             danger=True,
         ):
-            await self._ask(self.desk.cancel)
+            await self._ask(self.desk.cancel, seen)
 
     async def change(self) -> None:
         """Say what should be different, see what that comes to, and confirm it."""
+        seen = self.view().step
         with ui.dialog() as dialog, ui.element("div").classes("card dialog"):
             Text("h2", "Change what is asked for")
             said = ui.textarea(label="What should be different?").props(
@@ -63,7 +66,7 @@ class Commands:
 
             async def heard() -> None:
                 found = await asyncio.to_thread(self._wanted, said.value or "")
-                self._offer(found, shown, dialog)
+                self._offer(found, shown, dialog, seen)
 
             said.on("keydown.enter.exact.prevent", heard)
             with ui.element("div").classes("row"):
@@ -77,7 +80,7 @@ class Commands:
         view = self.view()
         return wanted(text, mission_from(view.entries), view.moment.lexicon)
 
-    def _offer(self, found: ChangeOfMind, shown: ui.element, dialog: ui.dialog) -> None:
+    def _offer(self, found: ChangeOfMind, shown: ui.element, dialog: ui.dialog, seen: Step) -> None:
         """Say back what was understood, to be confirmed."""
         shown.clear()
         with shown:
@@ -86,7 +89,7 @@ class Commands:
 
                 async def agreed() -> None:
                     dialog.close()
-                    await self.tell(found)
+                    await self.tell(found, seen)
 
                 button("Yes, from now on", agreed, "main")
             elif found.choices:
@@ -94,15 +97,19 @@ class Commands:
                 answers = [each.english for each in found.choices]
                 Living(buttons(answers, "answers", "button answer")).on_pick(
                     lambda place: self._offer(
-                        found.settled_on(found.choices[int(place)]), shown, dialog
+                        found.settled_on(found.choices[int(place)]), shown, dialog, seen
                     )
                 )
             else:
                 Text("p", found.reason or "I do not understand that.", "refusal")
 
-    async def tell(self, agreed: Report | ChangeOfMind) -> None:
-        """Tell the mission what somebody has agreed to."""
-        seen, message = self.view().step, message_of(agreed, self.visitor.name)
+    async def tell(self, agreed: Report | ChangeOfMind, seen: Step | None = None) -> None:
+        """Tell the mission what somebody has agreed to.
+
+        seen: the step that they saw then; None for the last
+        """
+        message = message_of(agreed, self.visitor.name)
+        seen = self.view().step if seen is None else seen
 
         def told() -> Reply:
             if isinstance(message, ChangeAsked):
@@ -111,8 +118,8 @@ class Commands:
 
         await self._told(told)
 
-    async def _ask(self, command: Callable[..., Reply]) -> None:
-        seen = self.view().step
+    async def _ask(self, command: Callable[..., Reply], seen: Step | None = None) -> None:
+        seen = self.view().step if seen is None else seen
         await self._told(lambda: command(self.mission, self.visitor.name, seen=seen))
 
     async def _told(self, command: Callable[[], Reply]) -> None:

@@ -20,10 +20,10 @@ _TONES = ("unseen", "doubt", "good", "bad", "done", "plain")
 
 @dataclass(frozen=True)
 class Scene:
-    """What is drawn: a state, and the action under way in it."""
+    """What is drawn: a state, and the actions under way in it."""
 
     state: State
-    action: GroundAction | None = None
+    actions: tuple[GroundAction, ...] = ()
 
 
 class Drawing:
@@ -73,10 +73,10 @@ class Drawing:
     # -- what stays ------------------------------------------------------------------------------
 
     def _ways(self, scene: Scene) -> Iterable[Html]:
-        taken = set(scene.action.split()[1:]) if scene.action else set()
+        taken = [set(action.split()[1:]) for action in scene.actions]
         for first, second in self.ground.ways:
             (x1, y1), (x2, y2) = self._spots[first].at, self._spots[second].at
-            live = " now" if taken.issuperset((first, second)) else ""
+            live = " now" if any(each.issuperset((first, second)) for each in taken) else ""
             key = f"way {first} {second}"
             yield tag("line", data_key=key, class_=f"way{live}", x1=x1, y1=y1, x2=x2, y2=y2)
 
@@ -169,9 +169,9 @@ class Drawing:
         scene: Scene,
     ) -> Iterable[Html]:
         robots = self.ground.robots
-        acting = scene.action.split()[1:2] if scene.action else []
-        if scene.action and not set(acting) & set(robots):
-            acting = [*robots[:1]]  # the domain does not say which robot acts
+        acting = {word for action in scene.actions for word in action.split()[1:2]}
+        if scene.actions and not acting & set(robots):
+            acting = {*robots[:1]}  # the domain does not say which robot acts
         at: dict[str, int] = {}
         for number, robot in enumerate(robots):
             place = where[robot].holder or ""

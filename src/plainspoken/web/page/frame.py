@@ -33,13 +33,15 @@ class Visitor(Protocol):
 class House:
     """What all pages share.
 
-    robot: the robot of missions that are started here, for their log
+    robot:   the robot of missions that are started here, for their log
+    missing: what there is to do before anybody can speak here
     """
 
     desk: Desk
     feeds: Feeds
     cards: Cards
     robot: dict[str, Any] = field(default_factory=dict)
+    missing: str | None = None
 
 
 class Text(TextElement):
@@ -63,6 +65,7 @@ def share_assets() -> None:
     ui.add_head_html(
         f'<link rel="stylesheet" href="{ASSETS}/page.css">'
         f'<script defer src="{ASSETS}/page.js"></script>'
+        f'<script defer src="{ASSETS}/aloud.js"></script>'
         '<meta name="color-scheme" content="light dark">',
         shared=True,
     )

@@ -25,6 +25,7 @@ from plainspoken.planning.watch import Progress
 from plainspoken.web.desk import PlanningStopped
 from plainspoken.web.page.frame import House, Text, Visitor, button, framed, tell
 from plainspoken.web.page.living import Living
+from plainspoken.web.page.microphone import Dictation, Recorder
 from plainspoken.web.page.panels import buttons
 from plainspoken.web.page.spoken import marked, pictured
 from plainspoken.work.shift import utc_now
@@ -43,6 +44,7 @@ class Say:
         self.house, self.visitor = house, visitor
         self.place = next(iter(house.desk.places))
         self.dialogue = Dialogue(self.site.vocabulary)
+        self.microphone: Recorder | None = None
         self.stopped: threading.Event | None = None
         self.progress: Progress | None = None
 
@@ -63,10 +65,13 @@ class Say:
                 f'outlined autogrow maxlength={LONGEST} id="say"'
             )
             self.text.on("keydown.enter.exact.prevent", self._heard)
+            dictation = Dictation(self.text, Living().props('aria-live="polite"'))
             with ui.element("div").classes("row"):
                 button("Understand", self._heard, "main")
                 self.more = button("Start again", self._afresh)
                 self.more.set_visibility(False)
+                if self.visitor.may_command:
+                    self.microphone = dictation.microphone(self.house.missing, place=self.place)
             self.understood = (
                 ui.element("section").classes("understood").props('aria-live="polite"')
             )
@@ -74,6 +79,8 @@ class Say:
 
     def _moved(self, place: str) -> None:
         self.place = place
+        if self.microphone is not None:
+            self.microphone.speak_of(place=place)
         self._afresh()
 
     def _afresh(self) -> None:

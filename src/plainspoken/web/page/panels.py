@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from datetime import datetime
 
 from plainspoken.automata.verdict import Verdict
-from plainspoken.knowledge.facts import Source
+from plainspoken.knowledge.facts import Knowledge, Source
 from plainspoken.mission.mission import Status
 from plainspoken.questions.chronicle import Line
 from plainspoken.web.page.drawing import LegendEntry
@@ -88,26 +88,51 @@ def _line(line: Line) -> Html:
     )  # fmt: skip
 
 
-def known(facts: Sequence[Known], now: datetime) -> Html:
-    """A table of what is known, how old it is, and what says so."""
+def known(facts: Sequence[Known], now: datetime, *, is_past: bool = False) -> Html:
+    """A table of what is known, how old it is, and what says so; and of what is not.
+
+    is_past: whether `now` is a moment that is looked back at, from which nothing grows older
+    """
     head = tag("tr", *(tag("th", word, scope="col") for word in ("fact", "since", "how I know")))
-    rows = [
-        tag(
-            "tr",
-            tag("td", each.text),
-            tag(
-                "td",
-                tag("time", age(each.fact.time, now), datetime=each.fact.time),
-                title=f"step {each.fact.step}",
-            ),
-            tag("td", _SOURCES[each.fact.source]),
-            data_key=f"fact {each.fact.atom}",
-            data_thing=" ".join(each.things),
-            class_="true" if each.fact.holds else "false",
-        )
-        for each in facts
-    ]
+    rows = [_fact(each, now, is_past=is_past) for each in facts]
     return tag("table", tag("thead", head), tag("tbody", *rows), class_="known")
+
+
+def _fact(each: Known, now: datetime, *, is_past: bool) -> Html:
+    known, fact = each.knowledge, each.fact
+    kind = "true" if known.holds else "false" if known.holds is False else "unknown"
+    doubt, since = None, fact.time
+    if known.is_stale:
+        doubt, since, kind = "too long ago: not sure any more", known.seen, "stale"
+    elif known.holds is None:
+        doubt = "not known"
+    said = tag("span", _sign("?"), f" {doubt}", class_="verdict open") if doubt else None
+    old = age(since, now)
+    when: str = old if is_past else tag("time", old, datetime=since)
+    if kind == "unknown":
+        when = "–"
+    return tag(
+        "tr",
+        tag("td", each.text, tag("br") if said else None, said),
+        tag("td", when, title=f"step {known.step if doubt else fact.step}"),
+        tag("td", _how(known)),
+        data_key=f"fact {fact.atom}",
+        data_thing=" ".join(each.things),
+        class_=kind,
+    )
+
+
+def _how(known: Knowledge) -> str:
+    """Where a fact is known from, or why it is not."""
+    fact = known.fact
+    if known.vain is not None:
+        return "looked at since, and could not tell"
+    if fact.holds is None:
+        return "nobody has looked"
+    if fact.source is Source.OBSERVATION and fact.by == "model":
+        return "follows from what was seen"
+    by = f" by {fact.by}" if fact.by and fact.source in (Source.REPORT, Source.OBSERVATION) else ""
+    return f"{_SOURCES[fact.source]}{by}"
 
 
 def legend(entries: Sequence[LegendEntry]) -> Html:

@@ -18,7 +18,8 @@ MOST_TURNS = 200
 class Said:
     """One thing that was said, at a time and a step of the log.
 
-    answer: where the mission said it, what that rests on
+    answer: where the mission said it, what that rests on; None where it rests on nothing
+    time:   when a person said it; empty where the mission did
     """
 
     who: str
@@ -26,6 +27,10 @@ class Said:
     answer: Answer | None = None
     time: str = ""
     step: Step = 0
+
+    @property
+    def is_by_person(self) -> bool:
+        return bool(self.time)
 
 
 @dataclass
@@ -45,7 +50,7 @@ def with_questions(lines: Sequence[Line], turns: Sequence[Said], last: Step) -> 
     asked = [
         Line(each.step, (), each.time, 0, "person", f'{each.who} said: "{each.text}"')
         for each in turns
-        if each.answer is None and each.time and each.step <= last
+        if each.is_by_person and each.step <= last
     ]
     return sorted([*lines, *asked], key=lambda line: (line.going, line.time)) if asked else [*lines]
 
@@ -58,8 +63,8 @@ def bubbles(turns: Sequence[Said], problem: Problem) -> Html:
 def _bubble(number: int, said: Said, problem: Problem) -> Html:
     answer = said.answer
     if answer is None:
-        own = tag("span", said.who, class_="who")
-        return tag("li", own, tag("p", said.text), class_="person", data_key=f"turn {number}")
+        own, kind = tag("span", said.who, class_="who"), "person" if said.is_by_person else "robot"
+        return tag("li", own, tag("p", said.text), class_=kind, data_key=f"turn {number}")
     steps = [each for each in answer.evidence if isinstance(each, int)]
     nodes = [str(each).split()[-1] for each in answer.evidence if isinstance(each, str)]
     spoken = [claim.fluent for claim in (*answer.claims, *answer.denied)]

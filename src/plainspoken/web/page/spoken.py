@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from plainspoken.language.emphasis import Emphasis, Weight
 from plainspoken.language.example import Example, Examples
 from plainspoken.language.extracted import ReferringExpression
 from plainspoken.logic.trace import Letter
@@ -16,6 +17,28 @@ _SIGNS = {
     LandmarkType.CONDITION: "fact",
     LandmarkType.ACTION: "deed",
 }
+_WEIGHTS = {
+    Weight.NEGATION: "negation",
+    Weight.LIMIT: "limit",
+    Weight.NUMBER: "number",
+    Weight.UNCLEAR: "unclear?",
+}
+
+
+def weighed(text: str, marks: Sequence[Emphasis]) -> Html:
+    """What was heard, each word that turns its meaning round marked with the reason."""
+    inside: list[str] = [tag("span", "I heard: ", class_="note")]
+    end = 0
+    for each in sorted(marks, key=lambda mark: (mark.start, mark.end)):
+        if not end <= each.start < each.end <= len(text):
+            continue  # what is weighty and unclear is marked as weighty
+        inside.append(text[end : each.start])
+        word = tag("mark", text[each.start : each.end])
+        why = tag("small", _WEIGHTS[each.weight], class_="meant")
+        inside.append(tag("span", word, why, class_=f"reference weight {each.weight}"))
+        end = each.end
+    inside.append(text[end:])
+    return tag("p", *inside, class_="utterance")
 
 
 def marked(

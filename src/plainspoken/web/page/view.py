@@ -13,17 +13,20 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 from plainspoken.automata.verdict import Verdict
-from plainspoken.knowledge.facts import Fact, Facts, facts_after
+from plainspoken.knowledge.facts import Fact, Facts, Knowledge, facts_after
 from plainspoken.logic.english import say
 from plainspoken.logic.formula import conjunction
 from plainspoken.mission.mission import Status
 from plainspoken.planning.diagram import rules
 from plainspoken.planning.policy import Policy
 from plainspoken.questions.chronicle import Line, chronicle
+from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
-from plainspoken.questions.morphology import sentence
+from plainspoken.questions.morphology import listed, sentence
+from plainspoken.questions.narration import present_deed
 from plainspoken.web.page.drawing import Drawing, Scene
 from plainspoken.web.page.markup import Html
+from plainspoken.world.domain import GroundAction
 from plainspoken.world.event import ChangeRequested, Entry, Step
 
 Made = TypeVar("Made")
@@ -39,11 +42,15 @@ class Clause:
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """A fact in words, with what says so and since when."""
+    """A fact in words, with what is known of it, and the things that it is about."""
 
     text: str
-    fact: Fact
+    knowledge: Knowledge
     things: tuple[str, ...]
+
+    @property
+    def fact(self) -> Fact:
+        return self.knowledge.fact
 
 
 class View:
@@ -96,18 +103,25 @@ class View:
             )  # fmt: skip
             return sentence(f"{moment.ended.outcome}: {told}")
         if moment.started is not None:
-            doing = f"I'm {moment.lexicon.deed(moment.started.action).doing}"
-            part = f" ({moment.doing})" if moment.doing else ""
+            doing = [present_deed(moment.lexicon.deed(action)) for action in self.actions]
+            if len(doing) == 1 and moment.doing:
+                doing = [f"{doing[0]} ({moment.doing})"]
             waiting = ", and then I pause" if moment.paused else ""
-            return sentence(doing + part + waiting)
+            return sentence(listed(doing) + waiting)
         if moment.paused:
             return "I've paused, and wait until I'm told to go on."
         return "I'm deciding what to do next."
 
+    @property
+    def actions(self) -> tuple[GroundAction, ...]:
+        """What goes on, that which was begun first before what other robots do beside it."""
+        started = self.moment.started
+        beside = tuple(each.action for _, each in self.moment.beside)
+        return () if started is None else (started.action, *beside)
+
     @cached_property
     def map(self) -> Html:
-        action = self.moment.started.action if self.moment.started else None
-        return self.drawing.svg(Scene(self.moment.whole(self.moment.state), action))
+        return self.drawing.svg(Scene(self.moment.whole(self.moment.state), self.actions))
 
     @cached_property
     def lines(self) -> tuple[Line, ...]:
@@ -146,20 +160,27 @@ class View:
     def facts(self) -> Facts:
         return facts_after(self.entries)
 
-    @cached_property
-    def known(self) -> tuple[Known, ...]:
-        """Every fact that could be otherwise and was ever true, the latest first."""
-        lexicon, objects = self.moment.lexicon, self.moment.problem.objects
+    def known(self, at: datetime) -> tuple[Known, ...]:
+        """Every fact that could be otherwise and was ever true, looked at or unknown; latest first.
+
+        at: when it is looked at: what was seen too long before is not known any more
+        """
+        objects = self.moment.problem.objects
         found = [
             Known(
-                sentence(lexicon.clause(atom).said(negative=not fact.holds)),
-                fact,
-                tuple(word for word in atom.split()[1:] if word in objects),
+                sentence(_in_words(each, self.moment.lexicon)),
+                each,
+                tuple(word for word in each.fact.atom.split()[1:] if word in objects),
             )
-            for atom, fact in self.facts.changed.items()
-            if atom not in self.facts.static
+            for each in self.facts.all_known(at)
+            if each.fact.atom not in self.facts.static
         ]
         return tuple(sorted(found, key=lambda each: (-each.fact.step, each.text)))
+
+    @property
+    def fades(self) -> bool:
+        """Whether facts are known for a while only."""
+        return bool(self.facts.senses)
 
     @cached_property
     def suggestions(self) -> tuple[str, ...]:
@@ -180,6 +201,16 @@ class View:
             found.append(f"Why did you {lexicon.deed(deeds[-1]).bare}?")
         found.append("How far are you?" if not self.is_over else "How did it end?")
         return tuple(dict.fromkeys(found))[:5]
+
+
+def _in_words(known: Knowledge, lexicon: Lexicon) -> str:
+    """What is known, was known, or is not known of a fact."""
+    clause, fact = lexicon.clause(known.fact.atom), known.fact
+    if fact.holds is None:
+        return f"whether {clause.said()}"
+    if known.is_stale:
+        return f"{clause.said('was', negative=not fact.holds)}, when I last knew"
+    return clause.said(negative=not fact.holds)
 
 
 def age(then: str, now: datetime) -> str:

@@ -28,6 +28,7 @@ from plainspoken.web.page.graph import PLENTY, Graph, graph_of, naming, situatio
 from plainspoken.web.page.live import Feed
 from plainspoken.web.page.living import Living
 from plainspoken.web.page.markup import Html
+from plainspoken.web.page.microphone import Dictation
 from plainspoken.web.page.order import order_in
 from plainspoken.web.page.policy import PolicyGraph
 from plainspoken.web.page.speech import Said, bubbles, with_questions
@@ -39,6 +40,8 @@ SLOWEST = 0.1
 """Seconds between two pictures, at least: nobody sees more, and many may watch."""
 PLAYED_EVERY = 0.8
 """Seconds between two steps of a mission that is played."""
+FADES_EVERY = 5.0
+"""Seconds after which it is looked whether what is known is too old."""
 READ = 'tabindex="0" role="region" aria-label="{}"'
 """What scrolls can be reached by keyboard, and has a name."""
 MOST_FOUND = 3
@@ -93,6 +96,7 @@ class Watch:
             with self._panel("known", "Known"):
                 self.known = Living().classes("scroll").props(READ.format("facts"))
         self.player = ui.timer(PLAYED_EVERY, self._next, active=False)
+        ui.timer(FADES_EVERY, self._fade)
         self.show(view)
 
     def _panel(self, name: str, title: str) -> ui.element:
@@ -204,12 +208,20 @@ class Watch:
         self.talk = Living().classes("keeps-low scroll").props(READ.format("conversation"))
         self.talk.props('aria-live="polite"')
         self.suggested = Living().on_pick(self._suggested)
+        heard = Living().props('aria-live="polite"')
         with ui.element("div").classes("row ask"):
             self.question = ui.input(label="Ask, or tell me something").props(
                 'outlined dense maxlength=1000 id="ask"'
             )
             self.question.on("keydown.enter.prevent", self._asked)
             button("Ask", self._asked, "main")
+        with ui.element("div").classes("row"):
+            if self.visitor.may_command:
+                dictation = Dictation(self.question, heard)
+                dictation.microphone(self.house.missing, mission=self.mission)
+            button("Read answers aloud", lambda: None, "chip").props(
+                'data-aloud aria-pressed="false"'
+            )
 
     # -- showing -------------------------------------------------------------------------------
 
@@ -225,7 +237,7 @@ class Watch:
         self._draw_plan(view)
         self.clauses.show(view.once(_clauses))
         self.timeline.show(self._timeline(view))
-        self.known.show(view.once(_known))
+        self._show_known()
         self.talk.show(bubbles(self.feed.talk.turns, view.moment.problem))
         replies = [words for words, _ in self._replies()]
         if replies:
@@ -240,6 +252,22 @@ class Watch:
         self.resume.set_visibility(may and view.status is Standing.PAUSED)
         self.change.set_visibility(may)
         self.cancel.set_visibility(may)
+
+    def _show_known(self) -> None:
+        """What is known now; of a moment that is past, as it was known then."""
+        view = self.view
+        if self.at is not None:
+            then = view.moment.asked_at
+            self.known.show(panels.known(view.known(then), then, is_past=True))
+        elif view.fades:
+            self.known.show(_known(view))
+        else:
+            self.known.show(view.once(_known))
+
+    def _fade(self) -> None:
+        """Show what has been known for too long by now, though nothing is new."""
+        if self.view.fades and self.at is None:
+            self._show_known()
 
     def _timeline(self, view: View) -> Html:
         turns = self.feed.talk.turns
@@ -292,7 +320,11 @@ class Watch:
         time = utc_now().isoformat(timespec="milliseconds")
         talk.add(Said(who, text, time=time, step=view.step))
         self.feed.tell()
-        order = None if view.is_over or not self.visitor.may_command else order_in(text)
+        order = None if view.is_over else order_in(text)
+        if order is not None and not self.visitor.may_command:
+            talk.add(Said("robot", "You may look and ask here; an operator commands."))
+            self.feed.tell()
+            return
         if order is not None:
             await {
                 "pause": self.commands.pause,
@@ -331,7 +363,8 @@ def _lines(view: View) -> Html:
 
 
 def _known(view: View) -> Html:
-    return panels.known(view.known, utc_now())
+    now = utc_now()
+    return panels.known(view.known(now), now)
 
 
 def _folded(view: View) -> Graph:
