@@ -32,11 +32,11 @@ class Questions:
         self._database = database
 
     def ask(self, call: CallId, text: str, answers: Sequence[str]) -> None:
-        """Put a question, once."""
+        """Put a question, once; one that was withdrawn is open again."""
         with self._database.writing() as session:
             session.change(
                 "INSERT INTO question (call, question, answers, asked) VALUES (?, ?, ?, ?)"
-                " ON CONFLICT (call) DO NOTHING",
+                " ON CONFLICT (call) DO UPDATE SET withdrawn = 0",
                 (call, text, "\n".join(answers), datetime.now(UTC).isoformat(timespec="seconds")),
             )
 
