@@ -66,7 +66,7 @@ class Conversation:
     def _told(self, text: str, kind: Kind, moment: Moment) -> Said:
         mission = mission_from(moment.entries)
         heard: Report | ChangeOfMind = (
-            understood(text, moment.lexicon, mission.world)
+            understood(text, moment.lexicon, mission.world, moment.mission.unknown)
             if kind is Kind.REPORT
             else wanted(text, mission, moment.lexicon)
         )
