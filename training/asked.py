@@ -13,8 +13,10 @@ from pathlib import Path
 
 from tests.questions.asked import asked_in, lexicon
 
+from plainspoken.questions.grammar import Shape
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.question import grammar_of
 from plainspoken.questions.spoken import Spoken, spoken
 from plainspoken.world.landmark import landmarks_from_json
 from plainspoken.world.pddl import parse_domain, parse_problem
@@ -34,6 +36,7 @@ class Asked:
     things: frozenset[str]
     text: str
     said: tuple[Spoken, ...]
+    shape: Shape
     lexicon: Lexicon
 
 
@@ -54,7 +57,7 @@ def written() -> Iterator[Asked]:
             if line and not line.startswith("#"):
                 kind, things, text = (part.strip() for part in line.split("|"))
                 named = frozenset(things.split())
-                yield Asked(folder.name, Kind(kind), named, text, spoken(text, own), own)
+                yield Asked(folder.name, Kind(kind), named, text, spoken(text, own), grammar_of(text, own)[1], own)
 
 
 def judged() -> Iterator[Asked]:
@@ -62,4 +65,4 @@ def judged() -> Iterator[Asked]:
     for name in JUDGED:
         for each in asked_in(ROOT / f"tests/questions/{name}.txt"):
             own = lexicon(each.setting)
-            yield Asked(name, Kind(each.kind), each.objects, each.text, spoken(each.text, own), own)
+            yield Asked(name, Kind(each.kind), each.objects, each.text, spoken(each.text, own), grammar_of(each.text, own)[1], own)

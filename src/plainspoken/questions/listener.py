@@ -14,10 +14,12 @@ import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib.resources import as_file, files
+from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
 
+from plainspoken.questions.grammar import Shape
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.spoken import Role, Spoken
 
@@ -25,6 +27,7 @@ KINDS = tuple(Kind)
 ROWS = 1 << 15
 """Of the table; two runs of words that share a row are taken for one."""
 LONGEST_RUN = 4
+_SUBJECTS = frozenset({"you", "i", "we", "it", "they", "robot", "everything", "that", "this", ""})
 _PAUSES = frozenset(".,;:-–—")
 _ENDS = frozenset("?!")
 _BEGIN, _END = "^", "$"
@@ -36,16 +39,35 @@ class Listener:
     def __init__(self, weights: npt.NDArray[np.float32]) -> None:
         self._weights = weights
 
-    def hear(self, said: Sequence[Spoken]) -> dict[Kind, float]:
+    def hear(self, said: Sequence[Spoken], shape: Shape) -> dict[Kind, float]:
         """How likely each kind is, by its own estimate."""
-        scores = self._weights[rows_of(said)].sum(axis=0)
+        scores = self._weights[rows_of(said, shape)].sum(axis=0)
         chances = np.exp(scores - scores.max())
         return dict(zip(KINDS, map(float, chances / chances.sum()), strict=True))
 
 
-def rows_of(said: Sequence[Spoken]) -> list[int]:
+def rows_of(said: Sequence[Spoken], shape: Shape) -> list[int]:
     """The rows of the table that a text adds up, in no order."""
-    return sorted({zlib.crc32(run.encode()) % ROWS for run in _runs(said)})
+    found = {*_runs(said), *_facets(said, shape)}
+    return sorted({zlib.crc32(each.encode()) % ROWS for each in found})
+
+
+def _facets(said: Sequence[Spoken], shape: Shape) -> Iterator[str]:
+    """What the grammar gives away: each trait by itself, and pairs that go together."""
+    traits = {
+        "wh": shape.wh,
+        "tense": shape.tense,
+        "mood": shape.mood,
+        "subject": _part(Spoken(shape.subject)) if shape.subject in _SUBJECTS else "other",
+        "auxiliary": shape.auxiliary,
+        "condition": shape.condition,
+        "negated": shape.negated,
+        "roles": sorted({role for each in said for role in each.roles}),
+    }
+    for name, value in traits.items():
+        yield f"{name}={value}"
+    for one, other in combinations(sorted(traits), 2):
+        yield f"{one}={traits[one]} {other}={traits[other]}"
 
 
 def _runs(said: Sequence[Spoken]) -> Iterator[str]:
