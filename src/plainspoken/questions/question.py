@@ -103,6 +103,12 @@ def grammar_of(text: str, lexicon: Lexicon) -> tuple[str, Shape]:
     return plain, shape
 
 
+def ruled_kind(text: str, lexicon: Lexicon) -> Kind:
+    """The kind by the rules alone."""
+    plain, shape = grammar_of(text, lexicon)
+    return kind_of(shape, referents_of(normal(text), lexicon), plain)
+
+
 def question_of(text: str, lexicon: Lexicon) -> Question:
     """Read a question, a report or a command."""
     referents = referents_of(normal(text), lexicon)
