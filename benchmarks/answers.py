@@ -80,7 +80,7 @@ def log_of(events: int) -> list[Entry]:
 def understanding(paths: list[Path]) -> None:
     """Print what is understood of the questions of files, by rules, listener, and both."""
     sys.path.insert(0, str(Path(__file__).parents[1]))
-    from tests.questions.asked import asked_in, report  # noqa: PLC0415 - found only now
+    from tests.questions.asked import asked_in, report
 
     for path in paths:
         print(report(asked_in(path)))

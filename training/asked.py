@@ -43,7 +43,9 @@ class Asked:
 def lexicon_of(folder: Path) -> Lexicon:
     """The words of a mission in a folder."""
     domain = parse_domain((folder / "domain.pddl").read_text(encoding="utf-8"), "domain")
-    problem = parse_problem((folder / "problem.pddl").read_text(encoding="utf-8"), domain, "problem")
+    problem = parse_problem(
+        (folder / "problem.pddl").read_text(encoding="utf-8"), domain, "problem"
+    )
     path = folder / "landmarks.json"
     given = json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
     return Lexicon(problem, landmarks_from_json(given, str(path)) if given else {})
@@ -57,7 +59,15 @@ def written() -> Iterator[Asked]:
             if line and not line.startswith("#"):
                 kind, things, text = (part.strip() for part in line.split("|"))
                 named = frozenset(things.split())
-                yield Asked(folder.name, Kind(kind), named, text, spoken(text, own), grammar_of(text, own)[1], own)
+                yield Asked(
+                    folder.name,
+                    Kind(kind),
+                    named,
+                    text,
+                    spoken(text, own),
+                    grammar_of(text, own)[1],
+                    own,
+                )
 
 
 def judged() -> Iterator[Asked]:
@@ -65,4 +75,12 @@ def judged() -> Iterator[Asked]:
     for name in JUDGED:
         for each in asked_in(ROOT / f"tests/questions/{name}.txt"):
             own = lexicon(each.setting)
-            yield Asked(name, Kind(each.kind), each.objects, each.text, spoken(each.text, own), grammar_of(each.text, own)[1], own)
+            yield Asked(
+                name,
+                Kind(each.kind),
+                each.objects,
+                each.text,
+                spoken(each.text, own),
+                grammar_of(each.text, own)[1],
+                own,
+            )

@@ -6,7 +6,6 @@ last are in front of it, with ` >> ` between. `python benchmarks/answers.py --qu
 what is understood.
 """
 
-import json
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -132,7 +131,11 @@ def report(questions: tuple[Asked, ...]) -> str:
         for name, reader in READERS.items()
     }
     asked_back = sum(each.question.other is not None for each in questions)
-    lines += ["", f"| kind | of | {' | '.join(READERS)} |", "| --- |" + " ---: |" * (1 + len(READERS))]
+    lines += [
+        "",
+        f"| kind | of | {' | '.join(READERS)} |",
+        "| --- |" + " ---: |" * (1 + len(READERS)),
+    ]
     for kind, number in counts.items():
         lines.append(f"| {kind} | {number} | {' | '.join(str(right[n][kind]) for n in READERS)} |")
     totals = [f"{100 * right[name].total() / max(1, len(questions)):.1f}%" for name in READERS]

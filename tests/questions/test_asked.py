@@ -17,6 +17,8 @@ QUESTIONS = tuple(
     for name in ("asked", "people", "people_again")
     for each in asked_in(FOLDER / f"{name}.txt")
 )
+
+
 @pytest.mark.parametrize("asked", QUESTIONS, ids=lambda each: each.text)
 def test_a_question_that_was_learned_from_is_of_its_kind(asked: Asked) -> None:
     assert asked.understood, asked.taken_for

@@ -149,7 +149,11 @@ def _ask_back(draft: Draft, *kinds: Kind) -> None:
         wanted.append("tell me something")
     if Kind.COMMAND in kinds:
         wanted.append("have me do something")
-    draft.say(f"I'm not sure what you mean. Do you want to {listed(wanted, 'or')}?" if wanted else f"I'm not sure what you mean. {CAN_ASK}")
+    draft.say(
+        f"I'm not sure what you mean. Do you want to {listed(wanted, 'or')}?"
+        if wanted
+        else f"I'm not sure what you mean. {CAN_ASK}"
+    )
 
 
 def _not_yet(draft: Draft, why: str) -> None:

@@ -1,8 +1,9 @@
 """What kind a question is of, by what has been learned from questions that people wrote.
 
-A linear model over runs of words: each run of up to four words adds to the score of each kind,
-with the words of the mission by the parts they play (`spoken`). It knows no grammar, and so it
-goes wrong elsewhere than the rules do. `python -m training.questions` fits it.
+A linear model over two things. Runs of up to four words, the words of the mission by the parts
+they play (`spoken`), and what the grammar gives away: these tell constructions apart. And what
+the encoder of `language.network` makes of the words: it knows words alike that no question held.
+It goes wrong elsewhere than the rules do. `python -m training.questions` fits it.
 
 Source: Joachims, Text Categorization with Support Vector Machines, 1998 (linear models over words);
 Weinberger et al., Feature Hashing for Large Scale Multitask Learning, 2009 (the table).
@@ -12,6 +13,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import as_file, files
 from itertools import combinations
@@ -19,9 +21,12 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
+from plainspoken.language.network import network
 from plainspoken.questions.grammar import Shape
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.spoken import Role, Spoken
+
+Array = npt.NDArray[np.float32]
 
 KINDS = tuple(Kind)
 ROWS = 1 << 15
@@ -31,19 +36,38 @@ _SUBJECTS = frozenset({"you", "i", "we", "it", "they", "robot", "everything", "t
 _PAUSES = frozenset(".,;:-–—")
 _ENDS = frozenset("?!")
 _BEGIN, _END = "^", "$"
+_NOTHING = "."
+"""What is heard where nothing is said."""
+MOST_WORDS = 60
+"""Of a text whose meaning is read: no question is longer."""
 
 
+@dataclass(frozen=True)
 class Listener:
-    """The table of weights: a row for runs of words, a column for each kind."""
+    """Weights: a column for each kind.
 
-    def __init__(self, weights: npt.NDArray[np.float32]) -> None:
-        self._weights = weights
+    table:   a row for runs of words
+    meaning: a row for each number of `meaning_of`
+    """
+
+    table: Array
+    meaning: Array
+    bias: Array
 
     def hear(self, said: Sequence[Spoken], shape: Shape) -> dict[Kind, float]:
         """How likely each kind is, by its own estimate."""
-        scores = self._weights[rows_of(said, shape)].sum(axis=0)
+        scores = self.table[rows_of(said, shape)].sum(axis=0)
+        scores = scores + meaning_of(said) @ self.meaning + self.bias
         chances = np.exp(scores - scores.max())
         return dict(zip(KINDS, map(float, chances / chances.sum()), strict=True))
+
+
+def meaning_of(said: Sequence[Spoken]) -> Array:
+    """What the encoder makes of a text: the mean and the maximum of each layer's rows."""
+    layers = network().states([each.word for each in said][:MOST_WORDS] or [_NOTHING])
+    return np.concatenate(
+        [part for rows in layers for part in (rows.mean(axis=0), rows.max(axis=0))]
+    )
 
 
 def rows_of(said: Sequence[Spoken], shape: Shape) -> list[int]:
@@ -109,10 +133,11 @@ def listener() -> Listener:
         as_file(files("plainspoken.questions").joinpath("listener.npz")) as path,
         np.load(path) as stored,
     ):
-        return Listener(unpacked(stored))
+        return unpacked(stored)
 
 
-def unpacked(stored: Mapping[str, npt.NDArray[np.generic]]) -> npt.NDArray[np.float32]:
-    """Weights as they are stored: 8-bit integers with a scale for each kind."""
-    found: npt.NDArray[np.float32] = stored["weights"].astype(np.float32) * stored["scale"]
-    return found
+def unpacked(stored: Mapping[str, npt.NDArray[np.generic]]) -> Listener:
+    """Weights as they are stored: those of runs as 8-bit integers with a scale for each kind."""
+    table = stored["table"].astype(np.float32) * stored["scale"]
+    meaning, bias = (stored[each].astype(np.float32) for each in ("meaning", "bias"))
+    return Listener(table, meaning, bias)

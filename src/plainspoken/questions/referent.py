@@ -157,9 +157,18 @@ class Index:
         self.goals = tuple(self._motions())
         named = {*self._phrases, *self._kinds, *map(plural, self._kinds)}
         self.deed_words = frozenset(self._verb_forms)
-        self.kind_words = frozenset(word for kind in {*self._kinds, *map(plural, self._kinds)} for word in kind.split())
+        self.kind_words = frozenset(
+            word for kind in {*self._kinds, *map(plural, self._kinds)} for word in kind.split()
+        )
         said = {word for _, words in self._predicates for word in words} - PREPOSITIONS - _EMPTY
-        self.fact_words = frozenset(said | {form for word in said for form in (past(word), third_person(word), progressive(word))}) - {"not"}
+        self.fact_words = frozenset(
+            said
+            | {
+                form
+                for word in said
+                for form in (past(word), third_person(word), progressive(word))
+            }
+        ) - {"not"}
         self.first_words = frozenset(words.split()[0] for words in named if words) - self.verbs
         alternatives = sorted(map(re.escape, self._phrases), key=len, reverse=True)
         self._pattern = re.compile(rf"(?<![\w-])(?:{'|'.join(alternatives) or '(?!)'})(?![\w-])")
@@ -210,7 +219,9 @@ class Index:
             return " " * len(match[0])
 
         rest = self._listed.sub(several, plain)
-        found += [(*match.span(), (self._phrases[match[0]],)) for match in self._pattern.finditer(rest)]
+        found += [
+            (*match.span(), (self._phrases[match[0]],)) for match in self._pattern.finditer(rest)
+        ]
         return sorted(found)
 
     def _kind_words(self) -> dict[str, tuple[str, ...]]:

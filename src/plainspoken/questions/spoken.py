@@ -82,7 +82,11 @@ def _stand_in(name: str, index: Index, lexicon: Lexicon) -> str:
 
 
 def _words(plain: str, index: Index) -> list[Spoken]:
-    sets = ((Role.KIND, index.kind_words), (Role.DEED, index.deed_words), (Role.FACT, index.fact_words))
+    sets = (
+        (Role.KIND, index.kind_words),
+        (Role.DEED, index.deed_words),
+        (Role.FACT, index.fact_words),
+    )
     return [
         Spoken(word, frozenset(role for role, words in sets if word in words))
         for word in plain.split()
