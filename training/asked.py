@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tests.questions.asked import asked_in, lexicon
+from tests.questions.test_question import TABLE
 
 from plainspoken.questions.grammar import Shape
 from plainspoken.questions.kind import Kind
@@ -72,6 +73,11 @@ def written() -> Iterator[Asked]:
 
 def judged() -> Iterator[Asked]:
     """Questions that others wrote, over the missions of the tests."""
+    for setting, text, kind, things, _ in TABLE:
+        own = lexicon(setting)
+        shape = grammar_of(text, own)[1]
+        named = frozenset(things.split())
+        yield Asked("table", Kind(kind), named, text, spoken(text, own), shape, own)
     for name in JUDGED:
         for each in asked_in(ROOT / f"tests/questions/{name}.txt"):
             own = lexicon(each.setting)

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from plainspoken.questions.kind import Kind
 
-RULES = 1.0
+RULES = 0.5
 """What the word of the rules adds to the log of a chance."""
-UNSURE = 0.34
+UNSURE = 0.3
 """Below this chance a reading is wrong more often than right, and the person is asked."""
 _LEAST = 1e-6
 

@@ -49,10 +49,7 @@ def answer_at(question: str | Question, moment: Moment, *, length: Length = Leng
     """Answer a question at a moment; for many questions about one."""
     asked = question_of(question, moment.lexicon) if isinstance(question, str) else question
     draft = Draft(moment, length)
-    if asked.other is not None:
-        _ask_back(draft, asked.kind, asked.other)
-    else:
-        _tell(draft, asked)
+    _tell(draft, asked)
     return draft.finish(asked.kind)
 
 
@@ -63,6 +60,9 @@ def _tell(draft: Draft, question: Question) -> None:
         tell_how_known(draft, question)
         return
     if tell_source(draft, question) or tell_change(draft, question):
+        return
+    if question.other is not None:
+        _ask_back(draft, question.kind, question.other)
         return
     match question.kind:
         case Kind.NOW:

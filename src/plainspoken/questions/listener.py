@@ -103,9 +103,10 @@ def _runs(said: Sequence[Spoken]) -> Iterator[str]:
     for gap in range(2, LONGEST_RUN + 1):
         for one, other in zip(parts, parts[gap:], strict=False):
             yield f"gap {one} {other}"
-    for one, other in zip(words, [*words[1:], Spoken("")], strict=False):
-        yield f"word {one.word}"
-        yield f"word {one.word} {other.word}"
+    plain = [each.word for each in words]
+    for word, after in zip(plain, [*plain[1:], ""], strict=False):
+        yield f"word {word}"
+        yield f"word {word} {after}"
     for length in range(1, LONGEST_RUN):
         yield "first " + " ".join(parts[1 : 1 + length])
     for part in {each for each in parts if each.startswith("<")}:
@@ -138,6 +139,6 @@ def listener() -> Listener:
 
 def unpacked(stored: Mapping[str, npt.NDArray[np.generic]]) -> Listener:
     """Weights as they are stored: those of runs as 8-bit integers with a scale for each kind."""
-    table = stored["table"].astype(np.float32) * stored["scale"]
+    table = stored["table"].astype(np.float32) * stored["scale"].astype(np.float32)
     meaning, bias = (stored[each].astype(np.float32) for each in ("meaning", "bias"))
     return Listener(table, meaning, bias)

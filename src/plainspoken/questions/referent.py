@@ -199,7 +199,8 @@ class Index:
 
     def objects_in(self, plain: str) -> tuple[tuple[str, ...], str]:
         """The objects named, in order, and the text without their names."""
-        rest, found = plain, []
+        rest = plain
+        found: list[str] = []
         for start, end, names in self.named_in(plain):
             rest = rest[:start] + " " * (end - start) + rest[end:]
             found.extend(names)
