@@ -1,7 +1,7 @@
 """A small transformer that reads a marked utterance and writes mission patterns.
 
 An encoder reads pieces of words and marks; a decoder writes tokens of the notation and, for a
-symbol, points at its mark. What is computed here is what `tools/train_reader.py` trains.
+symbol, points at its mark. What is computed here is what `training/train.py` trains.
 
 Source: Vaswani et al., Attention Is All You Need, 2017 (layers); Vinyals, Fortunato and Jaitly,
 Pointer Networks, 2015 (symbols). The encoder begins as the lower layers of all-MiniLM-L6-v2
