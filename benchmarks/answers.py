@@ -1,16 +1,22 @@
 """How long an answer takes on logs of 1,000 and of 100,000 events, question by question.
 
     python benchmarks/answers.py [--events N,N]
+    python benchmarks/answers.py --questions FILE    # how many are understood instead; see below
 
 A robot shuttles between two lines of the vineyard; each question is asked of the end of the log as
 the first one about it, so that nothing worked out for another is at hand.
+
+A FILE of questions has the lines that `tests/questions/asked.py` describes: each question with the
+kind and the things that it is about.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import sys
 import time
+from pathlib import Path
 from statistics import median
 
 from plainspoken.pipeline import bundled
@@ -71,11 +77,24 @@ def log_of(events: int) -> list[Entry]:
     return found
 
 
+def understanding(paths: list[Path]) -> None:
+    """Print what is understood of the questions of files, by rules, listener, and both."""
+    sys.path.insert(0, str(Path(__file__).parents[1]))
+    from tests.questions.asked import asked_in, report
+
+    for path in paths:
+        print(report(asked_in(path)))
+
+
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--events", default="1000,100000")
+    parser.add_argument("--questions", type=Path, nargs="+", help="measure what is understood")
     options = parser.parse_args()
+    if options.questions:
+        understanding(options.questions)
+        return
     print("| events | reading the log | median answer | slowest answer | question |")
     print("| ---: | ---: | ---: | ---: | --- |")
     for number in map(int, options.events.split(",")):

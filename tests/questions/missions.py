@@ -152,7 +152,11 @@ FURTHER = {
 
 @cache
 def policy_of(name: str) -> Policy:
-    setting = {**SETTINGS, **FURTHER}[name]
+    return _solved({**SETTINGS, **FURTHER}[name])
+
+
+@cache
+def _solved(setting: Setting) -> Policy:
     ending = solve(setting.parsed, parse(setting.goal))
     assert isinstance(ending, Solved)
     return ending.policy
@@ -261,10 +265,15 @@ class Log:
 
 def run(name: str, seed: int, most: int = 400) -> tuple[Entry, ...]:
     """The log of one execution of a setting's policy, outcomes drawn by the seed."""
-    policy = policy_of(name)
+    return run_of({**SETTINGS, **FURTHER}[name], seed, most)
+
+
+def run_of(setting: Setting, seed: int, most: int = 400) -> tuple[Entry, ...]:
+    """The same of a setting that has no place here."""
+    policy = _solved(setting)
     chance = Random(seed)
     log = Log()
-    log.add(accepted({**SETTINGS, **FURTHER}[name]))
+    log.add(accepted(setting))
     log.add(PolicyChosen(policy.to_json()))
     node = policy.node(policy.initial)
     while node.action is not None and log.instant < most:

@@ -1,4 +1,4 @@
-"""Questions that were written before the rules, or without a look at them, over four domains."""
+"""Questions that people put before the rules were made for them and the listener learned them."""
 
 from pathlib import Path
 from random import Random
@@ -17,25 +17,11 @@ QUESTIONS = tuple(
     for name in ("asked", "people", "people_again")
     for each in asked_in(FOLDER / f"{name}.txt")
 )
-NOT_YET = {
-    "Describe what you are at right now.",  # "at" is taken for a place
-    "You're not going into line 3, are you?",
-    "Is work in progress?",
-    "Why did the worker have to come?",
-    "How many parcels are left to deliver?",  # a fact to count, as well as what is open
-    "How many lines do you still have to clear?",
-    "After the tasting, what's left for you to do?",
-    "Who's getting the insulin?",
-    "What's behind the wet floor?",
-    "How did we run out of aspirin?",
-    "Is there life on Mars?",
-}
-"""Questions that are still taken for another kind."""
 
 
 @pytest.mark.parametrize("asked", QUESTIONS, ids=lambda each: each.text)
-def test_an_unseen_question_is_of_its_kind(asked: Asked) -> None:
-    assert asked.understood != (asked.text in NOT_YET), asked.taken_for
+def test_a_question_that_was_learned_from_is_of_its_kind(asked: Asked) -> None:
+    assert asked.understood, asked.taken_for
 
 
 @pytest.mark.parametrize(

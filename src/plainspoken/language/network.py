@@ -1,7 +1,7 @@
 """A small transformer that reads a marked utterance and writes mission patterns.
 
 An encoder reads pieces of words and marks; a decoder writes tokens of the notation and, for a
-symbol, points at its mark. What is computed here is what `tools/train_reader.py` trains.
+symbol, points at its mark. What is computed here is what `training/train.py` trains.
 
 Source: Vaswani et al., Attention Is All You Need, 2017 (layers); Vinyals, Fortunato and Jaitly,
 Pointer Networks, 2015 (symbols). The encoder begins as the lower layers of all-MiniLM-L6-v2
@@ -10,7 +10,7 @@ Pointer Networks, 2015 (symbols). The encoder begins as the lower layers of all-
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import as_file, files
@@ -90,7 +90,7 @@ class Network:
         return self._decoded(read, pointed, symbols)
 
     def _inputs(
-        self, said: Marked, slots: Mapping[SymbolId, int]
+        self, said: Sequence[str | Mark], slots: Mapping[SymbolId, int]
     ) -> tuple[Array, Mapping[int, list[int]]]:
         """A row for each piece and mark, and at which rows the marks of each slot stand."""
         weights = self._weights
@@ -118,7 +118,16 @@ class Network:
         )
         return found
 
+    def states(self, words: Sequence[str]) -> tuple[Array, ...]:
+        """What the encoder makes of plain words, layer by layer: a row for each of their pieces."""
+        rows, _ = self._inputs(words, {})
+        return tuple(each[1:-1] for each in self._layers(rows))
+
     def _encoded(self, rows: Array) -> Array:
+        *_, last = self._layers(rows)
+        return last
+
+    def _layers(self, rows: Array) -> Iterator[Array]:
         for number in self._encoders:
             name = f"enc.{number}"
             q, k, v = self._asked(rows, name)
@@ -126,7 +135,7 @@ class Network:
             rows = self._normed(rows + heard, f"{name}.n1", 1e-12)
             thought = self._linear(_gelu(self._linear(rows, f"{name}.a")), f"{name}.b")
             rows = self._normed(rows + thought, f"{name}.n2", 1e-12)
-        return rows
+            yield rows
 
     def _decoded(self, read: Array, pointed: Array, symbols: Sequence[SymbolId]) -> Written:
         weights = self._weights

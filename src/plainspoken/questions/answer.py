@@ -15,6 +15,7 @@ from plainspoken.questions.future import tell_future
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
+from plainspoken.questions.morphology import listed
 from plainspoken.questions.past import tell_count, tell_past, tell_so_far
 from plainspoken.questions.present import tell_now
 from plainspoken.questions.progress import tell_constraint, tell_progress
@@ -59,6 +60,9 @@ def _tell(draft: Draft, question: Question) -> None:
         tell_how_known(draft, question)
         return
     if tell_source(draft, question) or tell_change(draft, question):
+        return
+    if question.other is not None:
+        _ask_back(draft, question.kind, question.other)
         return
     match question.kind:
         case Kind.NOW:
@@ -118,6 +122,38 @@ def _asks_what_is_done(question: Question) -> bool:
     """`Which lines are done?`: of things of a kind, and no fact of them."""
     done = re.search(r"\b(?:done|finished|left|through)\b", question.text.lower())
     return bool(done and question.referents.kinds and not question.referents.predicates)
+
+
+_WANTED = {
+    Kind.NOW: "what I'm doing",
+    Kind.PAST: "what I've done",
+    Kind.FUTURE: "what I'll do",
+    Kind.WHY_ACTION: "what I do something for",
+    Kind.WHY_NOT: "why I don't do something",
+    Kind.WHY_HAPPENED: "how something came about",
+    Kind.WHEN: "when something is or was",
+    Kind.STATE: "how things stand",
+    Kind.PROGRESS: "how far I am",
+    Kind.WHAT_IF: "what I do if something comes about",
+    Kind.CONSTRAINT: "whether I keep to what you asked",
+    Kind.COUNT_HISTORY: "how often I did something",
+}
+"""What a person may want to know, by the kind of the question."""
+
+
+def _ask_back(draft: Draft, *kinds: Kind) -> None:
+    """Ask what is meant, where a text may be of several kinds."""
+    draft.known = False
+    wanted = [f"ask {_WANTED[kind]}" for kind in kinds if kind in _WANTED]
+    if Kind.REPORT in kinds:
+        wanted.append("tell me something")
+    if Kind.COMMAND in kinds:
+        wanted.append("have me do something")
+    draft.say(
+        f"I'm not sure what you mean. Do you want to {listed(wanted, 'or')}?"
+        if wanted
+        else f"I'm not sure what you mean. {CAN_ASK}"
+    )
 
 
 def _not_yet(draft: Draft, why: str) -> None:

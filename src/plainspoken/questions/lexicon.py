@@ -221,6 +221,9 @@ class Lexicon:
     def thing(self, name: str) -> Thing:
         return Thing(name, self.object_words(name))
 
+    def is_person(self, name: str) -> bool:
+        return not _PERSONS.isdisjoint(self.types_of(name))
+
     # -- facts ---------------------------------------------------------------------------------
 
     def clause(self, atom: GroundAtom) -> Clause:

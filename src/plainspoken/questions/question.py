@@ -1,7 +1,7 @@
 """What is asked: a text becomes a kind, the things it speaks of and the span of time it means.
 
-The grammar of the words and what they speak of decide. No model and no domain: what a question
-speaks of is looked up in the lexicon of the mission.
+Rules of grammar and a listener that has learned say of which kind it is, no domain known to
+either: what a question speaks of is looked up in the lexicon of the mission.
 """
 
 from __future__ import annotations
@@ -10,12 +10,15 @@ import re
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from plainspoken.questions.grammar import shape_of
+from plainspoken.questions.agreement import settled
+from plainspoken.questions.grammar import Shape, shape_of
 from plainspoken.questions.intent import kind_of
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.lexicon import Lexicon
+from plainspoken.questions.listener import listener
 from plainspoken.questions.referent import Referents, first_words, referents_of
 from plainspoken.questions.spelling import normal
+from plainspoken.questions.spoken import spoken
 
 
 class Span(StrEnum):
@@ -37,6 +40,7 @@ class Question:
     span:   the part of the past or future that is meant
     yes_no: whether yes or no would answer it
     form:   the question word where it decides the answer: where, which, how many, who, what
+    other:  what else it may be, where it is not clear enough to be answered
     """
 
     kind: Kind
@@ -45,6 +49,7 @@ class Question:
     span: Span = Span.ALL
     yes_no: bool = False
     form: str = ""
+    other: Kind | None = None
 
 
 _FORMS = frozenset({"where", "which", "how many", "who", "whose", "what", "how"})
@@ -86,19 +91,31 @@ def _other_deeds(referents: Referents) -> bool:
     return any(name not in going for name in referents.actions)
 
 
-def question_of(text: str, lexicon: Lexicon) -> Question:
-    """Read a question, a report or a command."""
-    plain = normal(text)
-    referents = referents_of(plain, lexicon)
+def grammar_of(text: str, lexicon: Lexicon) -> tuple[str, Shape]:
+    """The part of a text that asks, normalised, and its grammar."""
     plain = normal(_asked_part(text))
-    me = lexicon.synonyms(lexicon.me) if lexicon.me else frozenset()
     shape = shape_of(
         plain,
         question_mark=text.rstrip().endswith("?"),
         names=first_words(lexicon),
-        me=me,
+        me=lexicon.synonyms(lexicon.me) if lexicon.me else frozenset(),
     )
-    kind = kind_of(shape, referents, plain)
+    return plain, shape
+
+
+def ruled_kind(text: str, lexicon: Lexicon) -> Kind:
+    """The kind by the rules alone."""
+    plain, shape = grammar_of(text, lexicon)
+    return kind_of(shape, referents_of(normal(text), lexicon), plain)
+
+
+def question_of(text: str, lexicon: Lexicon) -> Question:
+    """Read a question, a report or a command."""
+    referents = referents_of(normal(text), lexicon)
+    plain, shape = grammar_of(text, lexicon)
+    ruled = kind_of(shape, referents, plain)
+    found = settled(ruled, listener().hear(spoken(text, lexicon), shape))
+    kind = found.kind
     if referents.visits and kind in _ABOUT_PLACES and not _other_deeds(referents):
         goes = referents.visits if referents.actions else referents.atoms or referents.visits
         referents = replace(referents, atoms=goes, actions=())
@@ -109,6 +126,7 @@ def question_of(text: str, lexicon: Lexicon) -> Question:
         _span(plain, kind),
         shape.yes_no,
         shape.wh if shape.wh in _FORMS else _form(plain),
+        found.other if found.unsure else None,
     )
 
 

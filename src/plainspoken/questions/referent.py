@@ -16,7 +16,7 @@ from plainspoken.questions.morphology import (
     progressive,
     third_person,
 )
-from plainspoken.questions.spelling import NUMBERS
+from plainspoken.questions.spelling import NUMBERS, normal
 from plainspoken.world.domain import GroundAction, GroundAtom
 
 _ALIKE = {"in": "inside", "inside": "in", "on": "onto", "onto": "on"}
@@ -73,7 +73,7 @@ class Referents:
 
 def referents_of(plain: str, lexicon: Lexicon) -> Referents:
     """Look up what a normalised text speaks of."""
-    index = _index(lexicon)
+    index = index_of(lexicon)
     objects, rest = index.objects_in(plain)
     tokens = rest.split()
     lemmas = {token: index.base(token) for token in dict.fromkeys(plain.split())}
@@ -115,23 +115,23 @@ def referents_of(plain: str, lexicon: Lexicon) -> Referents:
 
 def first_words(lexicon: Lexicon) -> frozenset[str]:
     """The words that a name of a thing, or of a kind of things, may begin with."""
-    return _index(lexicon).first_words
+    return index_of(lexicon).first_words
 
 
-_INDEXES: dict[int, tuple[Lexicon, _Index]] = {}
+_INDEXES: dict[int, tuple[Lexicon, Index]] = {}
 
 
-def _index(lexicon: Lexicon) -> _Index:
+def index_of(lexicon: Lexicon) -> Index:
     """The index of a lexicon, made once."""
     known = _INDEXES.get(id(lexicon))
     if known is None or known[0] is not lexicon:
         if len(_INDEXES) > 16:
             _INDEXES.clear()
-        known = _INDEXES[id(lexicon)] = (lexicon, _Index(lexicon))
+        known = _INDEXES[id(lexicon)] = (lexicon, Index(lexicon))
     return known[1]
 
 
-class _Index:
+class Index:
     """Words of one lexicon, from what is said to what is meant."""
 
     def __init__(self, lexicon: Lexicon) -> None:
@@ -142,16 +142,33 @@ class _Index:
         for name in lexicon.problem.objects:
             for words in lexicon.synonyms(name):
                 self._phrases.setdefault(words, name)
+                self._phrases.setdefault(normal(words), name)
                 found = re.match(r"(\D+) (\d+)$", words)
                 if found:
                     self._numbered.setdefault(found[1], {})[found[2]] = name
         self._kinds = self._kind_words()
+        for words, name in tuple(self._phrases.items()):
+            if words not in self._kinds and plural(words) not in self._kinds:
+                self._phrases.setdefault(plural(words), name)  # "We are out of oil filters."
         self._verb_forms = self._forms_of_verbs()
         self._actions = tuple(self._action_words())
         self._predicates = tuple(self._predicate_words())
         self.verbs = frozenset(verb for _, verb, _ in self._actions)
         self.goals = tuple(self._motions())
         named = {*self._phrases, *self._kinds, *map(plural, self._kinds)}
+        self.deed_words = frozenset(self._verb_forms)
+        self.kind_words = frozenset(
+            word for kind in {*self._kinds, *map(plural, self._kinds)} for word in kind.split()
+        )
+        said = {word for _, words in self._predicates for word in words} - PREPOSITIONS - _EMPTY
+        self.fact_words = frozenset(
+            said
+            | {
+                form
+                for word in said
+                for form in (past(word), third_person(word), progressive(word))
+            }
+        ) - {"not"}
         self.first_words = frozenset(words.split()[0] for words in named if words) - self.verbs
         alternatives = sorted(map(re.escape, self._phrases), key=len, reverse=True)
         self._pattern = re.compile(rf"(?<![\w-])(?:{'|'.join(alternatives) or '(?!)'})(?![\w-])")
@@ -182,7 +199,16 @@ class _Index:
 
     def objects_in(self, plain: str) -> tuple[tuple[str, ...], str]:
         """The objects named, in order, and the text without their names."""
-        found: list[tuple[int, str]] = []
+        rest = plain
+        found: list[str] = []
+        for start, end, names in self.named_in(plain):
+            rest = rest[:start] + " " * (end - start) + rest[end:]
+            found.extend(names)
+        return tuple(dict.fromkeys(name for name in found if name != self._lexicon.me)), rest
+
+    def named_in(self, plain: str) -> list[tuple[int, int, tuple[str, ...]]]:
+        """Where objects are named: from, to, and which; in order, the robot that speaks too."""
+        found: list[tuple[int, int, tuple[str, ...]]] = []
 
         def several(match: re.Match[str]) -> str:
             head = match[1]
@@ -190,16 +216,14 @@ class _Index:
                 each for one, each in self._numbered.items() if plural(one) == head
             )
             numbers = [number for number in _expanded(match[2]) if number in known]
-            found.extend((match.start(), known[number]) for number in numbers)
+            found.append((*match.span(), tuple(known[number] for number in numbers)))
             return " " * len(match[0])
 
-        def one(match: re.Match[str]) -> str:
-            found.append((match.start(), self._phrases[match[0]]))
-            return " " * len(match[0])
-
-        rest = self._pattern.sub(one, self._listed.sub(several, plain))
-        ordered = [name for _, name in sorted(found, key=lambda each: each[0])]
-        return tuple(dict.fromkeys(name for name in ordered if name != self._lexicon.me)), rest
+        rest = self._listed.sub(several, plain)
+        found += [
+            (*match.span(), (self._phrases[match[0]],)) for match in self._pattern.finditer(rest)
+        ]
+        return sorted(found)
 
     def _kind_words(self) -> dict[str, tuple[str, ...]]:
         kinds: dict[str, list[str]] = {}

@@ -1,0 +1,6 @@
+(define (problem evening-milking) (:domain dairy)
+  (:objects bot - robot barn parlour pasture shed - area bella daisy rosa - cow main-tank - tank)
+  (:init (robot-at bot barn) (way barn parlour) (way parlour barn) (way barn pasture)
+    (way pasture barn) (way barn shed) (way shed barn) (stands-in bella barn) (stands-in daisy barn)
+    (stands-in rosa pasture) (gate-open pasture))
+  (:goal (and (milked bella) (milked daisy) (milked rosa))))

@@ -1,0 +1,6 @@
+(define (problem friday) (:domain garage)
+  (:objects max - mechanic bay-1 bay-2 yard - bay van taxi beetle - car brake-pads oil-filter - part)
+  (:init (at-bay max yard) (next-to yard bay-1) (next-to bay-1 yard) (next-to bay-1 bay-2)
+    (next-to bay-2 bay-1) (parked van bay-1) (parked taxi bay-2) (parked beetle yard)
+    (unchecked van) (unchecked taxi) (unchecked beetle) (in-stock oil-filter))
+  (:goal (and (handed-over van) (handed-over taxi))))

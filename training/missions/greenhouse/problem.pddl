@@ -1,0 +1,7 @@
+(define (problem round) (:domain greenhouse)
+  (:objects bloom - robot zone-a zone-b zone-c - zone tomatoes basil orchid cactus - plant)
+  (:init (robot-in bloom zone-a) (path zone-a zone-b) (path zone-b zone-a) (path zone-b zone-c)
+    (path zone-c zone-b) (has-tap zone-a) (grows-in tomatoes zone-b) (grows-in basil zone-b)
+    (grows-in orchid zone-c) (grows-in cactus zone-a) (uninspected tomatoes) (uninspected basil)
+    (uninspected orchid) (uninspected cactus) (tank-empty bloom))
+  (:goal (and (healthy tomatoes) (healthy orchid))))

@@ -1,0 +1,6 @@
+(define (problem monday) (:domain harbour)
+  (:objects titan - crane pier-1 pier-2 depot - site c1 c2 c3 - container aurora neptune - ship)
+  (:init (crane-at titan depot) (track depot pier-1) (track pier-1 depot) (track pier-1 pier-2)
+    (track pier-2 pier-1) (moored aurora pier-1) (moored neptune pier-2) (aboard c1 aurora)
+    (aboard c2 aurora) (aboard c3 neptune))
+  (:goal (and (stacked c1) (stacked c3))))

@@ -1,0 +1,7 @@
+(define (problem batch) (:domain laboratory)
+  (:objects manny - arm fridge bench centrifuge cabinet - station s1 s2 s3 s4 - sample)
+  (:init (arm-at manny bench) (reach bench fridge) (reach fridge bench) (reach bench centrifuge)
+    (reach centrifuge bench) (reach bench cabinet) (reach cabinet bench) (stored-in s1 fridge)
+    (stored-in s2 fridge) (stored-in s3 fridge) (stored-in s4 bench) (untested s1) (untested s2)
+    (untested s3) (untested s4) (gripper-free manny) (lid-open))
+  (:goal (and (filed s1) (filed s2) (filed s3))))

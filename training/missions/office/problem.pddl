@@ -1,0 +1,10 @@
+(define (problem close-of-day) (:domain office)
+  (:objects pip - robot reception kitchenette boardroom archive - room anna tom mrs-lee - person
+    contract parcel invoice - item printer copier - device)
+  (:init (robot-at pip reception) (linked reception kitchenette) (linked kitchenette reception)
+    (linked reception boardroom) (linked boardroom reception) (linked reception archive)
+    (linked archive reception) (sits-in anna boardroom) (sits-in tom kitchenette)
+    (sits-in mrs-lee reception) (waiting-in contract reception) (waiting-in parcel archive)
+    (waiting-in invoice reception) (bin-full kitchenette) (out-of-paper printer)
+    (stands-in printer archive) (stands-in copier reception) (locked archive))
+  (:goal (and (signed contract) (has tom parcel))))
