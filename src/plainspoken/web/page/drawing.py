@@ -118,6 +118,9 @@ class Drawing:
             for (x, y), each in zip(self._slots(place, len(here)), here, strict=True):
                 yield self._thing(each, x, y, held)
         lost = [where[name] for name in self.ground.things if where[name].holder is None]
+        if lost:
+            yield tag("text", "no place known:", x=24.0, y=HEIGHT - 56, class_="name",
+                      data_key="no place")  # fmt: skip
         for index, each in enumerate(lost):
             yield self._thing(each, 40 + 46.0 * index, HEIGHT - 30, held)
 
