@@ -11,8 +11,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from plainspoken.knowledge.jsonl import read_jsonl
+from plainspoken.pipeline import bundled
+from plainspoken.questions.answer import answer_at
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.moment import Moment
+from plainspoken.questions.retelling import retold
+from plainspoken.questions.translated import read_words
 from plainspoken.world.event import ActionStarted, Entry
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -83,6 +87,23 @@ ASKED: tuple[tuple[str | None, tuple[str, ...]], ...] = (
     ),
 )
 """What is asked when the last action of a name has begun; at the end where there is no name."""
+ITALIAN = (
+    "`plainspoken ask --language it` tells the same claims in Italian. Its words for a domain are "
+    "a file, here `examples/vineyard/words.it.json`; forms and templates are "
+    "`questions/italian.py`. The question stays in English."
+)
+ASKED_FOR_ITALIAN = (
+    "What are you doing?",
+    "Why are you doing that?",
+    "What have you done so far?",
+    "What will you do next?",
+    "Where is the support robot?",
+    "Which grapes are ripe?",
+    "Why don't you check grape 0?",
+    "When did you check grape 1?",
+    "How far are you?",
+    "Are you keeping away from line 3?",
+)
 
 
 def _log(folder: Path) -> tuple[Entry, ...]:
@@ -131,7 +152,18 @@ def page() -> str:
         for text in texts:
             found, dialogue = dialogue.ask(text, moment)
             parts.append(f"**{text}**  \n{found.text}")
-    return "\n\n".join(parts) + "\n"
+    return "\n\n".join([*parts, *_italian(entries)]) + "\n"
+
+
+def _italian(entries: tuple[Entry, ...]) -> list[str]:
+    """The same robot in Italian."""
+    moment = Moment(entries, _last("empty-box", entries))
+    words = read_words(bundled("vineyard") / "words.it.json", moment.problem)
+    parts = [f"## In Italian, at step {moment.entries[-1].step}", ITALIAN]
+    for text in ASKED_FOR_ITALIAN:
+        said = retold(answer_at(text, moment), moment, words)
+        parts.append(f"**{text}**  \n{said}")
+    return parts
 
 
 def main() -> None:

@@ -11,12 +11,16 @@ import pytest
 from tests.backends.activities.errands import ARRIVED, PROBLEM
 from tests.mission.conformance import ended
 from tests.stores import store_in
+from tests.work.workshop import queue_up
 
 from plainspoken.backends.activities.configuration import robot_from
 from plainspoken.backends.questions import Questions
 from plainspoken.errors import InputFileError, PlainspokenError
 from plainspoken.knowledge.sqlite import SqliteDatabase
+from plainspoken.knowledge.store import Store
+from plainspoken.mission.observation import CancelAsked
 from plainspoken.mission.robot import Failed, Robot, Succeeded, UnderWay
+from plainspoken.work.asking import ask_of
 from plainspoken.world.domain import State
 
 FILE = """\
@@ -86,6 +90,17 @@ def test_a_question_that_is_given_up_is_not_asked_any_longer(tmp_path: Path) -> 
         robot.cancel("m/1")
         assert ended(robot, "m/1") == Failed("cancelled", ARRIVED)
     assert questions_in(tmp_path).open() == ()
+
+
+def test_of_a_mission_that_is_over_nobody_is_asked_anything(store: Store) -> None:
+    queue_up(store, "m", Path("world"))
+    queue_up(store, "m2", Path("world"))
+    questions = Questions(store.database)
+    questions.ask("m/1:0#1", "Is the door shut?", ("yes", "no"))
+    questions.ask("m2/1:0#1", "Is the lamp lit?", ("yes", "no"))
+    assert len(questions.open()) == 2
+    ask_of(store, "m", CancelAsked("ada"), ())
+    assert [question.text for question in questions.open()] == ["Is the lamp lit?"]
 
 
 def test_only_an_answer_that_was_asked_for_is_taken(tmp_path: Path) -> None:

@@ -94,6 +94,16 @@ def test_a_known_fact_that_turns_out_to_have_changed_is_a_new_instant() -> None:
     assert changed.instant == done.mission.instant + 1
 
 
+def test_what_a_person_reports_need_not_be_looked_at_any_more() -> None:
+    paused = advance(begun().mission, PauseAsked("ada")).mission
+    both = frozenset({"full ramp", "locked blue-room"})
+    asked = advance(paused, LookAsked("bob", both))
+    assert asked.commands == (Sense("m/look-1", tuple(sorted(both))),)
+    reported = Told("cem", "the ramp is free", deleted=frozenset({"full ramp"}))
+    then = advance(asked.mission, reported)
+    assert then.commands == (Sense("m/look-1", ("locked blue-room",)),)
+
+
 def test_what_nothing_can_tell_stops_the_mission_and_says_so() -> None:
     then = advance(begun().mission, eye("locked red-room", holds=None)).mission
     assert then.ended is not None

@@ -117,7 +117,7 @@ def test_a_lucky_way_and_the_outcome_that_breaks_it_are_named(door: Problem) -> 
 
 def test_no_way_even_with_luck_is_said(door: Problem) -> None:
     found = reason(door, "F(inside & F broken)")
-    assert found == NoGuarantee(parts("F(inside & F broken)"), whole=True, lucky=False)
+    assert found == NoGuarantee(parts("F(inside & F broken)"), whole=True, lucky=False, never=True)
     assert found.said() == "I can't satisfy F(inside & F broken)."
 
 

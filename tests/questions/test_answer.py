@@ -14,6 +14,7 @@ from tests.questions.test_soundness import OWN, QUESTIONS
 import plainspoken.questions
 from plainspoken.errors import PlainspokenError
 from plainspoken.questions.answer import Answer, answer, answer_at
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.world.event import (
     ActionFailed,
@@ -58,15 +59,18 @@ FIRST_ACTIONS = (
         (
             "What did you do so far?",
             (
-                "So far I checked grape 0, harvested grape 0, dropped grape 0 in the box and "
-                "signed off line 0. Most recently I moved to line 1."
+                "So far I've checked grape 0, harvested it, dropped it in the box, signed off "
+                "line 0 and moved to line 1. Nothing else has changed."
             ),
         ),
         ("What did you do last?", "I moved to line 1."),
         ("What did you do first?", "First I checked grape 0."),
         ("Did you check grape 1?", "No, I haven't checked grape 1 so far."),
         ("Did you check grape 0?", "Yes, I checked grape 0, four actions ago."),
-        ("Is grape 0 ripe?", "Yes, grape 0 is ripe, since I checked grape 0 four actions ago."),
+        (
+            "Is grape 0 ripe?",
+            "Yes, grape 0 has been ripe since I checked grape 0 four actions ago.",
+        ),
         ("Which lines are cleared?", "Line 0 is cleared."),
         ("Which lines are not cleared?", "Lines 1, 2 and 3 aren't cleared."),
         ("How many ripe grapes did you find?", "One: grape 0 is ripe."),
@@ -74,7 +78,7 @@ FIRST_ACTIONS = (
         ("Where are you?", "I'm at line 1."),
         (
             "Is the bin full?",
-            "Yes, the box is full, since I dropped grape 0 in the box two actions ago.",
+            "Yes, the box has been full since I dropped grape 0 in the box two actions ago.",
         ),
         ("How often did you harvest grape 0?", "I harvested grape 0 once."),
         (
@@ -88,11 +92,14 @@ FIRST_ACTIONS = (
             "Why don't you harvest grape 2?",
             "I can't harvest grape 2 now because I'm not at line 2 and grape 2 isn't ripe.",
         ),
-        ("Was the box ever full?", "Yes, the box is full, since two actions ago."),
+        (
+            "Was the box ever full?",
+            "Yes, the box has been full since I dropped grape 0 in the box two actions ago.",
+        ),
         (
             "What's your goal?",
             (
-                "You want lines 0, 1, 2 and 3 to be cleared. Done: line 0 is cleared. Still open: "
+                "You want all four lines to be cleared. Done: line 0 is cleared. Still open: "
                 "lines 1, 2 and 3 aren't cleared."
             ),
         ),
@@ -142,7 +149,7 @@ def test_a_report_and_an_observation_are_named_as_the_source() -> None:
     )
     judge = Judge(log.entries, log.entries[-1].step)
     for question in (*QUESTIONS, *OWN["vineyard"]):
-        found = answer(question, log.entries, full=True)
+        found = answer(question, log.entries, length=Length.FULL)
         assert judge.failures(found.to_json(0, question, 0.0)) == []
 
 

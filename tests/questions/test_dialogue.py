@@ -32,8 +32,8 @@ FULL = Moment(written_run("ripe g0", "full b", "ripe g1", "in-hand g1"))
         (
             ("What did you do last?", "Why?"),
             (
-                "I harvested grape 1 so that I could drop it in the box. I need that because you "
-                "want line 1 to be cleared."
+                "I harvested grape 1 so that I could drop it in the box, since you want line 1 "
+                "cleared."
             ),
         ),
         (
@@ -55,7 +55,7 @@ def test_a_short_question_speaks_of_what_went_before(
     texts: tuple[str, ...], last: str | None
 ) -> None:
     found = talk(FULL, *texts)[-1]
-    assert found == last or (last is None and found.startswith("Yes, grape 0 is ripe"))
+    assert found == last or (last is None and found.startswith("Yes, grape 0 has been ripe"))
 
 
 def test_without_a_turn_before_a_question_stands_alone() -> None:
@@ -123,5 +123,5 @@ def test_at_the_end_each_part_is_told_once() -> None:
         "box is full."
     )
     assert answer_at("Did you enter line 3?", Moment(entries)).text == (
-        "No, I've never been at line 3."
+        "No, I've never been to line 3."
     )

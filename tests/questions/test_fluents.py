@@ -9,6 +9,7 @@ from tests.questions.missions import run
 
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.fluents import Fluent, Time, fluents_in, read
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 
 NOT_YET = {"The atlas is back in its place."}
@@ -50,7 +51,7 @@ def test_what_is_read_in_an_answer_about_now_is_so(name: str) -> None:
     entries = run(name, 3, most=40)
     for at in range(1, len(entries), 5):
         moment = Moment(entries, at)
-        said = answer_at("What is the situation?", moment, full=True).text
+        said = answer_at("What is the situation?", moment, length=Length.FULL).text
         for fluent in fluents_in(said, moment.lexicon):
             if fluent.time is Time.NOW:
                 assert fluent.holds == (fluent.atom in moment.whole(moment.state)), said

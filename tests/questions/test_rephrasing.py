@@ -32,7 +32,7 @@ def _saying(*texts: str):  # noqa: ANN202 - a model, as the Protocol has it
     [
         (
             "Is the box full?",
-            "Well, yes, the bin is actually full{rest}",
+            "Well, yes, the bin has actually been full{rest}",
         ),
         (
             "What did you do last?",

@@ -1,12 +1,14 @@
 """Nothing false is ever claimed: every claim of random answers goes before an outside judge."""
 
+import re
 from random import Random
 
 import pytest
 from tests.questions.judge import Judge
-from tests.questions.missions import SETTINGS, run
+from tests.questions.missions import FURTHER, SETTINGS, run
 
 from plainspoken.questions.answer import answer_at
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 
 QUESTIONS = (
@@ -71,9 +73,9 @@ def test_every_claim_is_true_of_the_log_and_of_the_policy(name: str, seed: int) 
     for at in sorted(chance.sample(range(1, len(entries)), min(8, len(entries) - 1))):
         moment, judge = Moment(entries, at), Judge(entries, at)
         for question in (*QUESTIONS, *OWN[name]):
-            for full in (False, True):
-                found = answer_at(question, moment, full=full).to_json(0, question, 0.0)
-                assert judge.failures(found) == [], (question, at, full, found["answer"])
+            for length in Length:
+                found = answer_at(question, moment, length=length).to_json(0, question, 0.0)
+                assert judge.failures(found) == [], (question, at, length, found["answer"])
                 assert found["answer"], question
 
 
@@ -92,3 +94,43 @@ def test_the_judge_finds_what_is_false() -> None:
     assert judge.failures(
         {**false, "actions": [{"action": "move rob l0 l1", "at": 2, "certainty": "was"}]}
     )
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_a_brief_answer_claims_only_what_its_words_speak_of(name: str) -> None:
+    entries = run(name, 2)
+    for at in range(1, len(entries), 3):
+        moment = Moment(entries, at)
+        lexicon = moment.lexicon
+        for question in QUESTIONS:
+            found = answer_at(question, moment)
+            text = found.text.lower()
+            if found.rest or "only" in text:
+                continue  # Then it speaks of all the others, too.
+            changed = {claim.at for claim in found.actions}
+            for claim in found.claims:
+                clause = lexicon.clause(claim.fluent)
+                # The noun of it, alone or in a list: "grapes 0 and 1".
+                nouns = [lexicon.type_words(each) for each in claim.fluent.split()[1:]]
+                spoken = [clause.complement, clause.subject, *nouns]
+                by_a_deed = claim.start in changed or claim.end + 1 in changed
+                assert by_a_deed or any(each.lower() in text for each in spoken), (text, claim)
+
+
+@pytest.mark.parametrize("name", [*SETTINGS, *FURTHER])
+@pytest.mark.parametrize("length", Length)
+def test_no_answer_holds_names_of_the_files_or_logic(name: str, length: Length) -> None:
+    entries = run(name, 4, most=60)
+    problem = Moment(entries).problem
+    codes = [o for o in problem.objects if re.fullmatch(r"[a-z]{1,2}\d*|.*_.*", o)]
+    files = {*codes, *(p for p in problem.domain.predicates if "-" in p)}
+    files -= {"a", "i"}
+    foreign = re.compile(
+        rf"(?<![\w-])(?:{'|'.join(map(re.escape, sorted(files))) or '(?!)'})(?![\w-])"
+        r"|[a-z]_[a-z]|\?[a-z]|[&|~^<>{}]|\b[GFXUWR] ?\(|\(|\bLTL|\bnode \d|\bNone\b"
+    )
+    for at in range(1, len(entries), 6):
+        moment = Moment(entries, at)
+        for question in QUESTIONS:
+            text = answer_at(question, moment, length=length).text
+            assert not foreign.search(text), text

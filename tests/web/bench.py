@@ -75,6 +75,15 @@ class Bench:
         assert isinstance(ending, Solved)
         return self.desk.start("vineyard", Request(mission, goal), ending.policy)
 
+    def at_work(self) -> str:
+        """A mission whose first action is under way."""
+        name = self.started()
+        over = time.monotonic() + 60
+        while all(each.kind != "action_started" for each in self.desk.entries(name)):
+            assert time.monotonic() < over, "the robot was never told anything"
+            time.sleep(0.005)
+        return name
+
 
 def bench(
     desk: Desk,

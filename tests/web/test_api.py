@@ -225,7 +225,7 @@ def test_of_many_commands_at_the_same_moment_one_gets_through(standstill: Bench)
 
 
 def test_a_report_in_words_is_said_back_before_it_is_recorded(standstill: Bench) -> None:
-    client, name = standstill.client(), standstill.started()
+    client, name = standstill.client(), standstill.at_work()
     read = command(
         client, name, "reports/understandings", text="I checked the grape, it is ripe"
     ).json()

@@ -76,7 +76,8 @@ def test_a_worker_that_is_stopped_for_long_and_woken_does_no_harm(
     assert store.verify("m") is None
     told = deeds(tmp_path / "world", "m")
     assert [deed.goal_id for deed in told] == finished_goals(store, "m")
-    assert [deed.repeats for deed in told] == [0] * 2 * ROUNDS
+    # Stopped right between its last check and its command, it sends a goal id that is known.
+    assert sum(deed.repeats for deed in told) <= 1
 
 
 def test_two_workers_share_what_waits_and_one_goes_on_when_the_other_is_killed(

@@ -99,6 +99,21 @@ def test_a_report_is_in_the_log_once_whoever_reads_it(store: Store, tmp_path: Pa
     assert store.unanswered("m") == ()
 
 
+def test_what_was_asked_and_leads_to_nothing_is_done_with_when_the_mission_goes_on(
+    store: Store, tmp_path: Path
+) -> None:
+    queue_up(store, "m", tmp_path / "world")
+    with Shift(store) as shift:
+        held = shift.take("m")
+        assert held is not None
+        number = store.post("m", to_message(PauseAsked("ada")))
+        shift.tick()
+        until(lambda: held.requests() == PauseAsked("ada"))
+        assert not store.is_answered("m", number)
+        assert held.requests() is None
+        assert store.is_answered("m", number)
+
+
 def test_what_is_asked_of_a_mission_that_nobody_carries_out_is_in_its_log_at_once(
     store: Store, tmp_path: Path
 ) -> None:
@@ -132,7 +147,7 @@ def test_a_worker_that_stops_hands_a_mission_on_with_its_action_under_way(
 ) -> None:
     queue_up(store, "m", tmp_path / "world", pace=0.05)
     with at_work(Worker(store, robot_for)):
-        until(lambda: "action_started" in kinds(store, "m"))
+        until(lambda: bool(deeds(tmp_path / "world", "m")))  # the robot has heard of it
     assert standing(store, "m").in_flight is not None
     assert place_of(store, "m") == (Standing.GOING, None, None)
     Worker(store, robot_for).run(until_done=True)

@@ -201,6 +201,9 @@ class HttpService:
         return None
 
     def begin(self, call: CallId, fields: Fields) -> None:
+        if call in self._cancelled:  # a look that was given up, and is wanted again
+            for known in (self._begun, self._asked, self._last, self._cancelled, self._ended):
+                known.pop(call, None)
         if call not in self._begun and call not in self._ended:
             path = self._begin.named
             body = {key: value for key, value in fields.items() if key not in path}

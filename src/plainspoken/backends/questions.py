@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.database import Database
+from plainspoken.knowledge.queue import Standing
 from plainspoken.mission.robot import Unheard
 from plainspoken.mission.service import CallId, CallStatus, Done, Going, NotDone
 
@@ -32,20 +33,26 @@ class Questions:
         self._database = database
 
     def ask(self, call: CallId, text: str, answers: Sequence[str]) -> None:
-        """Put a question, once."""
+        """Put a question, once; one that was withdrawn is open again."""
         with self._database.writing() as session:
             session.change(
                 "INSERT INTO question (call, question, answers, asked) VALUES (?, ?, ?, ?)"
-                " ON CONFLICT (call) DO NOTHING",
+                " ON CONFLICT (call) DO UPDATE SET withdrawn = 0",
                 (call, text, "\n".join(answers), datetime.now(UTC).isoformat(timespec="seconds")),
             )
 
     def open(self) -> tuple[Question, ...]:
-        """The questions that nobody has answered, the oldest first."""
+        """The questions that nobody has answered, the oldest first.
+
+        Those of a mission that is over are none, also where nobody was there to withdraw them.
+        """
         with self._database.reading() as session:
             rows = session.rows(
                 "SELECT call, question, answers, asked FROM question"
-                " WHERE answer IS NULL AND withdrawn = 0 ORDER BY number"
+                " WHERE answer IS NULL AND withdrawn = 0 AND NOT EXISTS (SELECT 1 FROM place"
+                " WHERE standing = ? AND substr(call, 1, length(mission) + 1) = mission || '/')"
+                " ORDER BY number",
+                (Standing.OVER,),
             )
         return tuple(
             Question(call, text, tuple(answers.split("\n")) if answers else (), asked)

@@ -30,6 +30,10 @@ MODEL_VARIABLE = "PLAINSPOKEN_WHISPER"
 """The environment variable that may name a folder with weights."""
 REPETITIVE = 2.4
 """A text that can be compressed more than this goes round in circles: Whisper's own limit."""
+_NO_SPEECH = 0.4
+_UNSURE = -0.7
+"""A piece with more of the one and less of the other is left out: the "Thank you very much." that
+Whisper adds when somebody has ended. Its own limits, 0.6 and -1, let half of those pass."""
 _MOST_TOKENS = 150
 """In half a minute: more than anybody says, and an end to going round in circles."""
 _FILES = ("config.json", "tokenizer.json")
@@ -100,6 +104,8 @@ class Whisper:
             condition_on_previous_text=False,  # an error would feed on itself
             word_timestamps=True,
             vad_filter=True,  # nothing is made up where nobody speaks
+            no_speech_threshold=_NO_SPEECH,
+            log_prob_threshold=_UNSURE,
             max_new_tokens=_MOST_TOKENS,
         )
         return [

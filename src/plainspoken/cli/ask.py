@@ -20,12 +20,16 @@ from plainspoken.cli.site import FILE
 from plainspoken.cli.store import entries_in, entries_of, open_store, store_option
 from plainspoken.errors import PlainspokenError
 from plainspoken.knowledge.jsonl import read_jsonl
-from plainspoken.pipeline import accepted_of
+from plainspoken.pipeline import accepted_of, bundled
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
+from plainspoken.questions.retelling import retold
+from plainspoken.questions.translated import LANGUAGES, Words, read_words
 from plainspoken.work.asking import look
 from plainspoken.work.shift import robots_of
+from plainspoken.world.document import read_text
 from plainspoken.world.event import Entry
 from plainspoken.world.sense import Senses
 
@@ -37,7 +41,24 @@ from plainspoken.world.sense import Senses
 @store_option
 @click.option("--at", type=click.IntRange(min=0), metavar="STEP", help="Answer as if asked then.")
 @batch_options("question")
-@click.option("--full", is_flag=True, help="Tell every fact that matters, not the main ones.")
+@click.option(
+    "--length",
+    type=click.Choice([each.value for each in Length]),
+    default=Length.BRIEF.value,
+    show_default=True,
+    help="One or two sentences, a few, or every fact that matters.",
+)
+@click.option(
+    "--language",
+    type=click.Choice(["en", *LANGUAGES]),
+    default="en",
+    show_default=True,
+    help="The language of the answer; the question is in English.",
+)
+@click.option(
+    "--words", type=FILE, metavar="W", help="The words of the domain in it (vineyard: none needed)."
+)
+@click.option("--full", is_flag=True, help="The same as --length full.")
 @click.option(
     "--talk", is_flag=True, help="Go on talking: ask, report, and change your mind, line by line."
 )
@@ -58,6 +79,9 @@ def ask(
     at: int | None,
     batch: Path | None,
     out: Path | None,
+    length: str,
+    language: str,
+    words: Path | None,
     full: bool,
     rephrase: str | None,
     explain: bool,
@@ -88,12 +112,16 @@ def ask(
             f"there is no step {at} in this log", hint=f"its steps are 0 to {len(entries) - 1}"
         )
     moment = Moment(entries, at, utc_now() if live else None)
+    wanted = Length.FULL if full else Length(length)
+    spoken = None if language == "en" else _words(words, moment)
 
     def answered(text: str, id: object = None) -> tuple[Answer, dict[str, Any]]:
         started = time.perf_counter()
-        found = answer_at(text, moment, full=full)
+        found, then = answer_at(text, moment, length=wanted), moment
         if live and batch is None and found.wanted:
-            found = _looked(found, text, moment, store, full=full)
+            found, then = _looked(found, text, moment, store, wanted)
+        if spoken is not None:
+            found = replace(found, text=retold(found, then, spoken))
         return found, found.to_json(id, text, time.perf_counter() - started)
 
     if batch is not None:
@@ -115,6 +143,18 @@ def ask(
         _spoken(text, speak=speak)
 
 
+def _words(path: Path | None, moment: Moment) -> Words:
+    """The words of a language other than English; those of the bundled vineyard are at hand."""
+    if path is None:
+        path = bundled("vineyard") / "words.it.json"
+        if read_text(path.with_name("domain.pddl")) != moment.mission.domain:
+            raise PlainspokenError(
+                "there are no words for this domain in that language",
+                hint=f"give them with --words; {path} is an example",
+            )
+    return read_words(path, moment.problem)
+
+
 def _talk(mission: str | None, store: str | None) -> None:
     """Answer line by line; tell the mission what was reported, or is to change, once agreed to."""
     from plainspoken.cli.asked import put
@@ -134,19 +174,20 @@ def _talk(mission: str | None, store: str | None) -> None:
 
 
 def _looked(
-    found: Answer, question: str, moment: Moment, store: str | None, *, full: bool
-) -> Answer:
+    found: Answer, question: str, moment: Moment, store: str | None, length: Length
+) -> tuple[Answer, Moment]:
     """An answer after a look at what it needs, where somebody carries the mission out who can."""
     senses = Senses.of(moment.mission)
     atoms = frozenset(filter(senses.can_tell, found.wanted))
     if not atoms or moment.ended is not None:
-        return found
+        return found, moment
     mission = moment.mission.mission
     with open_store(store) as kept:
         if not look(kept, mission, atoms, person(), robots_of(moment.mission)):
-            return found
-        seen = answer_at(question, Moment(kept.entries(mission), now=utc_now()), full=full)
-    return replace(seen, text=f"Let me look. {seen.text}")
+            return found, moment
+        then = Moment(kept.entries(mission), now=utc_now())
+    seen = answer_at(question, then, length=length)
+    return replace(seen, text=f"Let me look. {seen.text}"), then
 
 
 def _spoken(text: str, *, speak: bool) -> None:

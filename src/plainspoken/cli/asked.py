@@ -75,7 +75,8 @@ def tell(reply: Reply, done: str) -> None:
         click.echo(f"asked; {reply.worker or 'whoever takes it up'} has not answered yet", err=True)
         sys.exit(NO)
     text = done if goal is None else f"{done}; {goal.action} is under way"
-    if reply.worker is None and not (reply.mission.is_over or reply.mission.is_at_rest):
+    waits = not (reply.mission.is_over or reply.mission.is_at_rest)
+    if waits and reply.worker is None and not reply.others:
         text += ", and nobody carries the mission out: start a worker with `plainspoken work`"
     click.echo(text)
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ from plainspoken.errors import PlainspokenError
 from plainspoken.evaluation.batch import URL, NoReply, Replies, read_replies
 from plainspoken.evaluation.monitoring import (
     RUNS,
+    Reader,
     Run,
     Situation,
     answered,
@@ -30,6 +33,7 @@ from plainspoken.evaluation.monitoring_report import markdown, picture, tables
 from plainspoken.logic.syntax import parse
 from plainspoken.pipeline import bundled, find_policy, open_site
 from plainspoken.planning.solver import Solved
+from plainspoken.questions.fluents import fluents_in
 from plainspoken.questions.moment import Moment
 
 GOALS = {
@@ -52,6 +56,9 @@ PROMPT = (
 @click.option("--export-batch", type=FILE, metavar="FILE", help="Write OpenAI Batch requests.")
 @click.option("--import-batch", type=FILE, metavar="FILE", help="Score the replies to them.")
 @click.option("--batch-model", default="gpt-4o", show_default=True, metavar="NAME")
+@click.option(
+    "--reader", metavar="PROVIDER:NAME", help="Have a language model read the fluents in a text."
+)
 def monitoring(
     *,
     runs: int,
@@ -60,6 +67,7 @@ def monitoring(
     export_batch: Path | None,
     import_batch: Path | None,
     batch_model: str,
+    reader: str | None,
 ) -> None:
     """Ask while plans are carried out, and score the fluents of the answers.
 
@@ -81,15 +89,35 @@ def monitoring(
         write_whole(export_batch, "".join(f"{line}\n" for line in documents))
         click.echo(f"{len(briefly)} requests written to {export_batch}", err=True)
         return
+    with _reader(reader) as read:
+        results = _results(falls, import_batch, read)
+    _write(results, out, f"{runs} runs a category and domain, seed {seed}, version {__version__}.")
+
+
+@contextmanager
+def _reader(model: str | None) -> Iterator[Reader]:
+    """Whoever reads fluents in the texts."""
+    if model is None:
+        yield fluents_in
+        return
+    from plainspoken.cli.translator import language_model
+    from plainspoken.language.completion import PATIENCE
+    from plainspoken.questions.model_reading import fluents_by_model
+
+    with language_model(model, PATIENCE) as connected:
+        yield partial(fluents_by_model, model=connected)
+
+
+def _results(
+    falls: Sequence[Situation], import_batch: Path | None, reader: Reader
+) -> dict[str, tuple[Run, ...]]:
     if import_batch is not None:
         replies = read_replies(import_batch, {each.id for each in falls})
-        results = {"words of the batch": tuple(_replied(falls, replies))}
-    else:
-        ours = tuple(answered(each, time.perf_counter) for each in falls)
-        lexica = {run.situation.domain: Moment(run.situation.entries).lexicon for run in ours}
-        back = (read_back(r.situation, r.text, lexica[r.situation.domain]) for r in ours)
-        results = {"claims": ours, "words": tuple(back)}
-    _write(results, out, f"{runs} runs a category and domain, seed {seed}, version {__version__}.")
+        return {"words of the batch": tuple(_replied(falls, replies, reader))}
+    ours = tuple(answered(each, time.perf_counter) for each in falls)
+    lexica = {run.situation.domain: Moment(run.situation.entries).lexicon for run in ours}
+    back = (read_back(r.situation, r.text, lexica[r.situation.domain], reader) for r in ours)
+    return {"claims": ours, "words": tuple(back)}
 
 
 def _situations(runs: int, seed: int) -> Iterator[Situation]:
@@ -102,7 +130,7 @@ def _situations(runs: int, seed: int) -> Iterator[Situation]:
         yield from situations(name, site, ending.policy, runs=runs, seed=seed)
 
 
-def _replied(falls: Sequence[Situation], replies: Replies) -> Iterator[Run]:
+def _replied(falls: Sequence[Situation], replies: Replies, reader: Reader) -> Iterator[Run]:
     """The runs that a batch replied to.
 
     raises PlainspokenError: when it has no reply to one, or none that can be scored
@@ -113,7 +141,7 @@ def _replied(falls: Sequence[Situation], replies: Replies) -> Iterator[Run]:
         reply = replies.get(each.id, NoReply("the batch has no reply to it"))
         if isinstance(reply, NoReply):
             raise PlainspokenError(f"{each.id}: {reply.reason}")
-        yield read_back(each, reply, Moment(each.entries).lexicon)
+        yield read_back(each, reply, Moment(each.entries).lexicon, reader)
 
 
 def _request(situation: Situation, model: str) -> dict[str, Any]:

@@ -52,7 +52,7 @@ def report(
         entries = mission_in(kept, mission)
         accepted, now = accepted_of(entries), mission_from(entries)
         lexicon = lexicon_of(accepted)
-        found = understood(text, lexicon, now.world)
+        found = understood(text, lexicon, now.world, accepted.unknown)
         document: dict[str, Any] = {"mission": now.id, "heard": False, **found.to_json()}
         if found.status is Status.CLARIFY and not as_json:
             answers = [choice.answer for choice in found.choices]

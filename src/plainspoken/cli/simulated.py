@@ -96,7 +96,7 @@ def simulated(
         robot,
         site.problem,
         belief=None if now is None else now.world,
-        under_way={now.in_flight.goal_id: now.in_flight.action} if now and now.in_flight else {},
+        under_way={goal.goal_id: goal.action for goal in now.under_way} if now else {},
     )
     return veiled, patience
 

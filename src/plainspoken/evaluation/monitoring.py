@@ -19,7 +19,8 @@ from plainspoken.pipeline import Site
 from plainspoken.planning.policy import Policy, PolicyNode
 from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import Answer
-from plainspoken.questions.fluents import Time, fluents_in
+from plainspoken.questions.fluents import Fluent, Time, fluents_in
+from plainspoken.questions.length import Length
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
 from plainspoken.world.domain import GroundAtom, State
@@ -251,11 +252,18 @@ def answered(situation: Situation, clock: Callable[[], float]) -> Run:
     """A run with our own answer and its claims."""
     moment = Moment(situation.entries)
     began = clock()
-    found = answer_at(situation.question, moment, full=situation.full)
+    length = Length.FULL if situation.full else Length.BRIEF
+    found = answer_at(situation.question, moment, length=length)
     return Run(situation, found.text, _claimed(found, situation), clock() - began)
 
 
-def read_back(situation: Situation, text: str, lexicon: Lexicon) -> Run:
+Reader = Callable[[str, Lexicon], Sequence[Fluent]]
+"""Whoever reads fluents in a text: the embedded reader, or a model."""
+
+
+def read_back(
+    situation: Situation, text: str, lexicon: Lexicon, reader: Reader = fluents_in
+) -> Run:
     """A run with the fluents that a text states, by the extractor.
 
     What is said of a span without an instant counts wherever in the span it is so, or, where it
@@ -263,7 +271,7 @@ def read_back(situation: Situation, text: str, lexicon: Lexicon) -> Run:
     """
     found: dict[Instant, set[GroundAtom]] = {}
     last = len(situation.states) - 1
-    for fluent in fluents_in(text, lexicon):
+    for fluent in reader(text, lexicon):
         if not fluent.holds:
             continue  # The metric knows only what is so.
         span = [i for i in fluent.instants(situation.at, last) if 0 <= i <= last]

@@ -29,7 +29,7 @@ from plainspoken.mission.mission import Mission
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode
 from plainspoken.world.domain import GroundAction, State
 from plainspoken.world.event import ActionStarted
-from plainspoken.world.scene import successors
+from plainspoken.world.scene import relevant_to, successors
 from plainspoken.world.symbol import letter
 
 MOST_BEFORE = 64
@@ -71,18 +71,21 @@ def goes_on(mission: Mission) -> bool:
     )
 
 
-def begun_beside(mission: Mission) -> ActionStarted | None:
+def begun_beside(mission: Mission, stale: State = frozenset()) -> ActionStarted | None:
     """What another robot begins beside the policy's action, where nothing speaks against it."""
     if not mission.brief.side_by_side or mission.paused_by is not None or not goes_on(mission):
         return None
-    early = early_action(mission)
+    early = early_action(mission, stale)
     if early is None:
         return None
     return ActionStarted(early.action, early.node, f"{mission.id}/{mission.sent + 1}")
 
 
-def early_action(mission: Mission) -> Early | None:
-    """What another robot may begin while the policy's action is under way; None for nothing."""
+def early_action(mission: Mission, stale: State = frozenset()) -> Early | None:
+    """What another robot may begin while the policy's action is under way; None for nothing.
+
+    stale: atoms that were seen too long ago to rest a decision on
+    """
     goal, policy = mission.in_flight, mission.policy
     if (
         goal is None
@@ -93,9 +96,12 @@ def early_action(mission: Mission) -> Early | None:
     ):
         return None
     footprints = footprints_of(mission.brief.problem)
+    unsure = mission.lookout.unsure(stale)
     for robot in sorted(_others(mission, goal.action)):
         early = _first_of(robot, policy, goal.node, mission)
         if early is None or not footprints.of(early.action).robots:
+            continue
+        if unsure and unsure & relevant_to(mission.brief.problem, early.action):
             continue
         own = footprints.of(early.action)
         on_the_way = {policy.node(id).action or "" for id in early.before}

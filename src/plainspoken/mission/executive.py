@@ -145,7 +145,7 @@ def advance(mission: Mission, observation: Observation, stale: State = frozenset
             events.append(event)
             event = _decision(mission, stale)
         acted = any(isinstance(each, ActionStarted | ActionFinished) for each in events)
-        beside = begun_beside(mission) if acted and not needed(mission, stale) else None
+        beside = begun_beside(mission, stale) if acted and not needed(mission, stale) else None
         if beside is not None:
             mission = after(mission, beside)
             events.append(beside)

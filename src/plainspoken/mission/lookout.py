@@ -11,6 +11,7 @@ from plainspoken.world.event import (
     LookRequested,
     MissionAccepted,
     ObservationMade,
+    ReportReceived,
     Resumed,
     Stated,
 )
@@ -62,13 +63,18 @@ class Lookout:
         if not isinstance(event, Stated):
             return self
         sensed = event.sensed if isinstance(event, ObservationMade) else ()
+        reported = (
+            frozenset(each["atom"] for each in event.told)
+            if isinstance(event, ReportReceived)
+            else frozenset()
+        )
         told = (
             told_by(event, state | static, self.unknown, self.senses, problem)
             if self.unknown
             else {}
         )
         vain = frozenset() if isinstance(event, ActionFinished) else self.vain
-        if not (sensed or told):
+        if not (sensed or told or reported):
             return self if vain == self.vain else replace(self, vain=vain)
         untold = frozenset(each["atom"] for each in sensed if each["holds"] is None)
         found = {each["atom"]: bool(each["holds"]) for each in sensed if each["holds"] is not None}
@@ -76,7 +82,7 @@ class Lookout:
             self,
             unknown=self.unknown - told.keys(),
             groups=left_open(self.groups, found, told.keys() - found.keys()),
-            wanted=self.wanted - untold - found.keys(),
-            vain=(vain | untold) - found.keys(),
+            wanted=self.wanted - untold - found.keys() - reported,
+            vain=(vain | untold) - found.keys() - reported,
             looks=self.looks + bool(sensed),
         )

@@ -68,29 +68,31 @@ class VeiledRobot:
         """Veil a robot that sees everything.
 
         problem:   says what is hidden
-        belief:    what is believed at first of what is hidden, None for what the problem assumes
+        belief:    the world as it is believed to be, None for what the problem assumes
         under_way: what it was told by a process before this one
         """
         self._robot, self._problem = robot, problem
         self._hidden = problem.unknown
-        self._belief = (problem.initial if belief is None else belief) & self._hidden
-        self._actions = dict(under_way or {})
+        believed = problem.initial if belief is None else belief
+        self._belief = believed & self._hidden
+        self._changing = {
+            goal: touched_by(problem, believed, action)
+            for goal, action in (under_way or {}).items()
+        }
         self._tries: dict[LookId, int] = {}
         self._now = now
 
     def send(self, goal_id: GoalId, action: GroundAction) -> None:
-        self._actions[goal_id] = action
+        # By the time that somebody asks for it, it may have ended, and not be possible any more.
+        self._changing[goal_id] = touched_by(self._problem, self.state(), action)
         self._robot.send(goal_id, action)
 
     def wait(self, goal_id: GoalId, timeout: Seconds) -> GoalStatus:
         """What became of a command; what it changed is seen."""
-        before = self.state() if goal_id in self._actions else frozenset()
         status = self._robot.wait(goal_id, timeout)
         match status:
             case Succeeded(state):
-                action = self._actions.pop(goal_id, None)
-                if action is not None:
-                    self._see(touched_by(self._problem, before, action), state)
+                self._see(self._changing.pop(goal_id, frozenset()), state)
                 return Succeeded(self._seen(state))
             case Failed(reason, state):
                 return Failed(reason, self._seen(state))

@@ -7,8 +7,8 @@ section 5.2 (h^2), forwards and with negated atoms as atoms of their own.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from plainspoken.logic.formula import TRUE
@@ -23,13 +23,45 @@ from plainspoken.planning.task import (
     ones,
 )
 from plainspoken.planning.watch import TimeIsUp, Watch
-from plainspoken.world.domain import GroundAtom, Problem
+from plainspoken.world.domain import (
+    Action,
+    Add,
+    AllOf,
+    AtomCondition,
+    Delete,
+    GroundAtom,
+    OneOf,
+    Problem,
+    State,
+)
 
 Literal = tuple[GroundAtom, bool]
 """An atom, and whether it is so."""
 
 MOST_SECONDS = 10.0
 """After so long nothing is known to exclude anything: a report then says what it says."""
+
+
+_DRAW = "(draw)"
+"""The action that stands for what nobody knows; no file can have one of that name."""
+
+
+def _mask(bits: Iterable[int]) -> Bits:
+    return sum(1 << bit for bit in bits)
+
+
+def _drawn(problem: Problem, unknown: State) -> Problem:
+    """The problem with an action that makes unknown atoms so, and not so: none is left out then."""
+    atoms = [
+        AtomCondition(predicate, tuple(terms))
+        for predicate, *terms in map(str.split, sorted(unknown))
+        if predicate in problem.changing_predicates
+    ]
+    if not atoms:
+        return problem
+    draw = OneOf((*map(Add, atoms), *map(Delete, atoms)))
+    actions = (*problem.domain.actions, Action(_DRAW, (), AllOf(), draw))
+    return replace(problem, domain=replace(problem.domain, actions=actions))
 
 
 @dataclass(frozen=True)
@@ -49,11 +81,22 @@ class _Rule:
 class Exclusions:
     """What excludes what in a problem; bit i is atom i, bit n + i that it is not so."""
 
-    def __init__(self, problem: Problem) -> None:
-        self._task: Task = ground_task(problem, TRUE)
+    def __init__(self, problem: Problem, unknown: State = frozenset()) -> None:
+        """Take what nobody knows at s0 for possible, and for possibly not so.
+
+        unknown: further such atoms than the problem names
+        """
+        unknown |= problem.unknown
+        self._task: Task = ground_task(_drawn(problem, unknown), TRUE)
         self._count = len(self._task.atoms)
         self._bits = {atom: bit for bit, atom in enumerate(self._task.atoms)}
         self._rules = tuple(self._all_rules())
+        self._unknown = _mask(self._bits[atom] for atom in unknown if atom in self._bits)
+        self._oneofs = tuple(
+            _mask(self._bits[atom] for atom in group)
+            for group in problem.oneofs
+            if all(atom in self._bits for atom in group)
+        )
 
     def is_possible(self, literal: Literal) -> bool:
         """Whether some state that can be reached may hold a literal."""
@@ -125,6 +168,8 @@ class Exclusions:
 
     def _all_rules(self) -> Iterator[_Rule]:
         for action in self._task.actions:
+            if action.name == _DRAW:
+                continue  # that is what s0 is, and nothing that happens
             for variant in action.variants:
                 needed = self._needed(variant.requirement)
                 for outcome in variant.outcomes:
@@ -175,9 +220,7 @@ class Exclusions:
     @cached_property
     def _together(self) -> list[Bits]:
         """For each literal those that some reachable state may hold with it; empty: not known."""
-        start = self._task.initial & ((1 << self._count) - 1)
-        start |= (~start & ((1 << self._count) - 1)) << self._count
-        found = [start if start >> bit & 1 else 0 for bit in range(2 * self._count)]
+        found = self._at_first()
         watch = Watch(MOST_SECONDS)
         try:
             news = True
@@ -187,6 +230,23 @@ class Exclusions:
                     news |= self._fired(rule, found, watch)
         except TimeIsUp:
             return []
+        return found
+
+    def _at_first(self) -> list[Bits]:
+        """What can be together at s0."""
+        low = (1 << self._count) - 1
+        true = self._task.initial & low & ~self._unknown
+        start = true | self._unknown | (low & ~true) << self._count
+        found = [start if start >> bit & 1 else 0 for bit in range(2 * self._count)]
+        for bit in ones(self._unknown):
+            found[bit] &= ~(1 << bit + self._count)
+            found[bit + self._count] &= ~(1 << bit)
+        for group in self._oneofs:
+            for bit in ones(group):
+                others = group & ~(1 << bit)
+                found[bit] &= ~others
+                if others & (others - 1) == 0:  # of two, one is so
+                    found[bit + self._count] &= ~(others << self._count)
         return found
 
     def _fired(self, rule: _Rule, found: list[Bits], watch: Watch) -> bool:
@@ -235,8 +295,9 @@ class Exclusions:
         """What could make up for a way to have none of some atoms; None where there is no way."""
         mask = sum(1 << each for each in members)
         low = (1 << self._count) - 1
-        if not self._task.initial & mask:
-            return ones(self._task.initial & low)
+        true = self._task.initial & low & ~self._unknown
+        if not true & mask and not any(group & mask == group for group in self._oneofs):
+            return ones(true | self._unknown)
         for rule in self._rules:
             gone, add = rule.gone & low, rule.add & low
             if gone & mask and not add & mask and self._before(rule, self._together):

@@ -13,6 +13,7 @@ from plainspoken.questions.doubt import asks_how_known, tell_how_known
 from plainspoken.questions.fact import tell_state, tell_when
 from plainspoken.questions.future import tell_future
 from plainspoken.questions.kind import Kind
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.past import tell_count, tell_past, tell_so_far
 from plainspoken.questions.present import tell_now
@@ -29,26 +30,29 @@ CAN_ASK = (
 
 
 def answer(
-    question: str, entries: Sequence[Entry], at: Step | None = None, *, full: bool = False
+    question: str,
+    entries: Sequence[Entry],
+    at: Step | None = None,
+    *,
+    length: Length = Length.BRIEF,
 ) -> Answer:
     """Answer a question about a mission as if asked at a step of its log.
 
-    at:   the last step that is known, None for the end of the log
-    full: name every fact that matters, not only what matters most
+    at: the last step that is known, None for the end of the log
     raises PlainspokenError: when the log does not begin with an accepted mission
     """
-    return answer_at(question, Moment(entries, at), full=full)
+    return answer_at(question, Moment(entries, at), length=length)
 
 
-def answer_at(question: str | Question, moment: Moment, *, full: bool = False) -> Answer:
+def answer_at(question: str | Question, moment: Moment, *, length: Length = Length.BRIEF) -> Answer:
     """Answer a question at a moment; for many questions about one."""
     asked = question_of(question, moment.lexicon) if isinstance(question, str) else question
-    draft = Draft(moment)
-    _tell(draft, asked, full=full)
+    draft = Draft(moment, length)
+    _tell(draft, asked)
     return draft.finish(asked.kind)
 
 
-def _tell(draft: Draft, question: Question, *, full: bool) -> None:
+def _tell(draft: Draft, question: Question) -> None:
     answered = True
     # Where not every fact is known, what is known of one says where it comes from.
     if draft.moment.facts is not None and asks_how_known(question):
@@ -58,18 +62,18 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
         return
     match question.kind:
         case Kind.NOW:
-            tell_now(draft, question, full=full)
+            tell_now(draft, question)
         case Kind.PAST:
-            tell_past(draft, question, full=full)
+            tell_past(draft, question)
         case Kind.FUTURE:
-            tell_future(draft, question, full=full)
+            tell_future(draft, question)
         case Kind.WHY_ACTION:
             tell_why(draft, question)
         case Kind.STATE:
             if _asks_what_is_done(question):
                 tell_progress(draft, question)
             else:
-                tell_state(draft, question, full=full)
+                tell_state(draft, question)
         case Kind.PROGRESS:
             tell_progress(draft, question)
         case Kind.CONSTRAINT:
@@ -82,7 +86,7 @@ def _tell(draft: Draft, question: Question, *, full: bool) -> None:
         case Kind.WHY_NOT:
             answered = tell_why_not(draft, question)
             if not answered and not (question.referents.actions or question.referents.objects):
-                tell_now(draft, question, full=full)  # "What's the hold-up?": what I'm at, and why.
+                tell_now(draft, question)  # "What's the hold-up?": what I'm at, and why.
                 answered = True
         case Kind.WHY_HAPPENED:
             answered = tell_cause(draft, question)

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from plainspoken.planning.policy import NodeId
 from plainspoken.questions.kind import Kind
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Happening, Moment
 from plainspoken.questions.morphology import sentence
 from plainspoken.world.domain import GroundAction, GroundAtom
@@ -61,6 +62,7 @@ class Answer:
     """Words, and what they rest on.
 
     known:  False where the answer is that there is none
+    rest:   whether it says that nothing else changes
     denied: atoms that the words say are false, at these instants
     wanted: atoms that would have to be looked at for a better answer
     """
@@ -73,6 +75,7 @@ class Answer:
     actions: tuple[ActionClaim, ...] = ()
     known: bool = True
     wanted: tuple[GroundAtom, ...] = ()
+    rest: bool = False
 
     def to_json(self, id: object, question: str, seconds: float) -> dict[str, Any]:
         """The line that `ask --batch` writes."""
@@ -96,6 +99,7 @@ class Draft:
     """An answer in the making. Every atom that comes in is looked up in the log first."""
 
     moment: Moment
+    length: Length = Length.BRIEF
     sentences: list[str] = field(default_factory=list)
     claims: set[Claim] = field(default_factory=set)
     denied: set[Claim] = field(default_factory=set)
@@ -103,6 +107,17 @@ class Draft:
     evidence: set[Evidence] = field(default_factory=set)
     known: bool = True
     wanted: set[GroundAtom] = field(default_factory=set)
+    rest: bool = False
+
+    @property
+    def full(self) -> bool:
+        """Whether every fact that matters is wanted."""
+        return self.length is Length.FULL
+
+    @property
+    def room(self) -> int:
+        """Words that there is room for."""
+        return self.length.words - sum(len(each.split()) for each in self.sentences)
 
     def say(self, text: str) -> None:
         """Add a sentence."""
@@ -182,6 +197,7 @@ class Draft:
             tuple(sorted(self.actions, key=lambda claim: (claim.at, claim))),
             self.known,
             tuple(sorted(self.wanted)),
+            self.rest,
         )
 
     def node(self, id: NodeId) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from plainspoken.questions.morphology import (
+    PARTICIPLES,
     listed,
     participle,
     past,
@@ -17,7 +18,8 @@ from plainspoken.questions.morphology import (
 )
 
 _PARTICLES = frozenset({"away", "back", "down", "in", "off", "on", "out", "over", "up"})
-Tense = Literal["now", "was", "will", "may"]
+Tense = Literal["now", "was", "has", "will", "may", "still", "stays"]
+"""`has`: up to now; `still`: as before, and now; `stays`: now and to the end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,8 @@ class Clause:
 
     def said(self, tense: Tense = "now", *, negative: bool = False) -> str:
         """`the box is full`, `the box wasn't full`, `I'll be at line 1`."""
+        if negative and tense == "now" and self.verb == "be" and (done := _undone(self.complement)):
+            return f"{self.subject}{_be(self.subject, tense, several=self.several)} already {done}"
         if self.verb == "be":
             text = (
                 f"{self.subject}{_be(self.subject, tense, several=self.several, negative=negative)}"
@@ -49,8 +53,15 @@ class Clause:
 
     def never(self) -> str:
         """`the box has never been full`, `I've never been at line 1`."""
-        have = "'ve" if self.subject == "I" else " have" if self.several else " has"
-        return f"{self.subject}{have} never {participle(self.verb)} {self.complement}".strip()
+        return f"{self.ever('never ')}"
+
+    def ever(self, often: str = "") -> str:
+        """`I've been to line 1`, `the box has been full`."""
+        complement = self.complement
+        if self.subject == "I" and self.verb == "be":
+            complement = re.sub("^at ", "to ", complement)  # Who has left it was not just at it.
+        have = _have(self.subject, several=self.several)
+        return f"{self.subject}{have} {often}{participle(self.verb)} {complement}".strip()
 
     def asked(self) -> str:
         """The clause without subject, for a list: `full`, `at line 1`."""
@@ -69,10 +80,17 @@ class Clause:
                 return f" didn't {self.verb}"
             case "was":
                 return f" {past(self.verb)}"
+            case "has":
+                word = " not" if negative else ""
+                return f"{_have(self.subject, several=self.several)}{word} {participle(self.verb)}"
             case "will":
                 return f"{_will(self.subject, negative=negative)} {self.verb}"
             case "may":
                 return f" may {'not ' if negative else ''}{self.verb}"
+            case "still":
+                return f" still {self._verb('now', negative=negative).strip()}"
+            case "stays":
+                return f"{_will(self.subject, negative=negative)} still {self.verb}"
 
 
 def _will(subject: str, *, negative: bool) -> str:
@@ -81,8 +99,23 @@ def _will(subject: str, *, negative: bool) -> str:
     return "'ll" if subject in ("I", "it", "they") else " will"
 
 
-def _be(subject: str, tense: Tense, *, several: bool, negative: bool) -> str:
+def _have(subject: str, *, several: bool) -> str:
+    return "'ve" if subject == "I" else " have" if several else " has"
+
+
+def _undone(complement: str) -> str:
+    """`checked` for `unchecked`: who denies that it is so says that it is done."""
+    first, _, rest = complement.partition(" ")
+    done = first.removeprefix("un")
+    if done == first or not (done.endswith("ed") or done in PARTICIPLES):
+        return ""
+    return f"{done} {rest}".strip()
+
+
+def _be(subject: str, tense: Tense, *, several: bool, negative: bool = False) -> str:
     match tense:
+        case "has":
+            return f"{_have(subject, several=several)}{' not' if negative else ''} been"
         case "now" if subject == "I":
             return "'m not" if negative else "'m"
         case "now":
@@ -95,6 +128,12 @@ def _be(subject: str, tense: Tense, *, several: bool, negative: bool) -> str:
             return f"{_will(subject, negative=negative)} be"
         case "may":
             return f" may {'not ' if negative else ''}be"
+        case "still" if negative:
+            return f" still{_be(subject, 'now', several=several, negative=True)}"
+        case "still":
+            return f"{_be(subject, 'now', several=several, negative=False)} still"
+        case "stays":
+            return f"{_will(subject, negative=negative)} {'be' if negative else 'stay'}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,12 +175,15 @@ class Deed:
         """`checked mug 1`, after `have`."""
         return self._with(participle(self.verb))
 
-    def pronoun(self, *, known: Sequence[str]) -> Deed:
+    def pronoun(self, *, known: Sequence[Thing]) -> Deed:
         """The deed with `it` for its first thing, where that is the one thing just spoken of."""
-        if len(known) != 1:
+        if len(known) != 1 or known[0].words[0].isupper():  # A person is no "it".
             return self
+        if self.parts[:1] == ("to",):  # Nobody drives "to it".
+            return self
+        word = "it" if known[0].name else "them"  # Several things as one have no name.
         parts = tuple(
-            Thing(part.name, "it") if isinstance(part, Thing) and part.name == known[0] else part
+            Thing(part.name, word) if isinstance(part, Thing) and part == known[0] else part
             for part in self.parts
         )
         if parts[:1] and parts[0] in _PARTICLES and parts[1:2] and parts != self.parts:

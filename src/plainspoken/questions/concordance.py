@@ -12,7 +12,8 @@ from functools import lru_cache
 
 from plainspoken.questions.identity import ById
 from plainspoken.questions.lexicon import PREPOSITIONS, Lexicon, split_name
-from plainspoken.questions.morphology import lemma, participle, past, plural
+from plainspoken.questions.morphology import lemma, number_word, participle, past, plural
+from plainspoken.questions.spelling import NUMBERS
 from plainspoken.world.domain import GroundAtom
 
 Key = tuple[str, str, str]
@@ -20,6 +21,7 @@ Key = tuple[str, str, str]
 
 MOST_ATOMS = 20_000
 """Facts that are looked up by their words; a problem with more is read by those first."""
+_NUMBER = rf"(?:{'|'.join(NUMBERS[2:13])}|\d+)"
 _OPPOSITES = (
     {
         "empty": "full",
@@ -76,6 +78,8 @@ class Concordance:
             for opposite in sorted(opposites(complement)):
                 if found := self._facts.get((subject, "be", opposite)):
                     return [(found, False)]
+            if undone := self._facts.get((subject, "be", f"un{complement}")):
+                return [(undone, False)]
             if subject == "i" and complement.split(" ", 1)[0].endswith("ing"):
                 first, _, rest = complement.partition(" ")
                 return self.facts(subject, lemma(first), rest)
@@ -191,18 +195,24 @@ class _Marks:
         self._listed = re.compile(
             rf"\b({heads}) ({number}(?:(?: ?, ?| and | or |, and ){number})*)(?![\w-])"
         )
+        longest = sorted(map(re.escape, self._kinds), key=len, reverse=True)
+        kinds_named = "|".join(longest) or "(?!)"
         self._all = re.compile(
-            rf"\b(?:all|both|every|each|none)(?: of)?(?: the)? "
-            rf"({'|'.join(sorted(map(re.escape, self._kinds), key=len, reverse=True)) or '(?!)'})\b"
+            rf"\b(?:all|both|every|each|none)(?: of)?(?: the)?(?: (?P<number>{_NUMBER}))? "
+            rf"(?P<kinds>{kinds_named})\b"
         )
 
     def mark(self, text: str) -> str:
         text = self._listed.sub(self._several, text.lower())
-        text = self._all.sub(
-            lambda m: ("none " if m[0].startswith("none") else "") + _mark(self._kinds[m[1]]), text
-        )
+        text = self._all.sub(self._whole, text)
         text = self._name.sub(lambda m: _mark(self._names[m[0]]), text)
         return _LISTED.sub(lambda m: _mark("+".join(_MARK.findall(m[0])).split("+")), text)
+
+    def _whole(self, match: re.Match[str]) -> str:
+        names = self._kinds[match["kinds"]]
+        if match["number"] and match["number"] not in (str(len(names)), number_word(len(names))):
+            return match[0]  # "All seven mugs", of three.
+        return ("none " if match[0].startswith("none") else "") + _mark(names)
 
     def _several(self, match: re.Match[str]) -> str:
         known = self._numbered[match[1]]

@@ -118,10 +118,13 @@ def _emptied(
 
 
 @lru_cache(maxsize=8)
-def _exclusions(problem: ById[Problem]) -> Exclusions:
-    return Exclusions(problem.value)
+def _exclusions(problem: ById[Problem], unknown: State) -> Exclusions:
+    return Exclusions(problem.value, unknown)
 
 
-def exclusions_of(problem: Problem) -> Exclusions:
-    """The exclusions of a problem; kept, as many reports are about one."""
-    return _exclusions(ById(problem))
+def exclusions_of(problem: Problem, unknown: State = frozenset()) -> Exclusions:
+    """The exclusions of a problem; kept, as many reports are about one.
+
+    unknown: what nobody knows at s0, beside what the problem names
+    """
+    return _exclusions(ById(problem), unknown)

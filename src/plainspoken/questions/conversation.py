@@ -21,6 +21,7 @@ from plainspoken.questions.change import ChangeOfMind, wanted
 from plainspoken.questions.claim import Answer
 from plainspoken.questions.dialogue import Dialogue
 from plainspoken.questions.kind import Kind
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.question import question_of
 from plainspoken.questions.report import Report, settled_on, understood
@@ -50,7 +51,7 @@ class Conversation:
     dialogue: Dialogue = field(default_factory=Dialogue)
     pending: Report | ChangeOfMind | None = None
 
-    def say(self, text: str, moment: Moment, *, full: bool = False) -> Said:
+    def say(self, text: str, moment: Moment, *, length: Length = Length.BRIEF) -> Said:
         """Take what a person says: an answer where something is pending, or anything else."""
         if self.pending is not None:
             said = self._answered(self.pending, text, moment)
@@ -59,13 +60,13 @@ class Conversation:
         kind = question_of(text, moment.lexicon).kind
         if kind in (Kind.REPORT, Kind.COMMAND) and moment.ended is None:
             return self._told(text, kind, moment)
-        answer, dialogue = self.dialogue.ask(text, moment, full=full)
+        answer, dialogue = self.dialogue.ask(text, moment, length=length)
         return Said(answer, Conversation(dialogue))
 
     def _told(self, text: str, kind: Kind, moment: Moment) -> Said:
         mission = mission_from(moment.entries)
         heard: Report | ChangeOfMind = (
-            understood(text, moment.lexicon, mission.world)
+            understood(text, moment.lexicon, mission.world, moment.mission.unknown)
             if kind is Kind.REPORT
             else wanted(text, mission, moment.lexicon)
         )

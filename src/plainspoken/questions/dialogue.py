@@ -16,6 +16,7 @@ from plainspoken.questions.answer import answer_at
 from plainspoken.questions.claim import ActionClaim, Answer
 from plainspoken.questions.doubt import asks_how_known
 from plainspoken.questions.kind import Kind
+from plainspoken.questions.length import Length
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.question import Question, Span, question_of
@@ -51,12 +52,14 @@ class Dialogue:
 
     turn: Turn | None = None
 
-    def ask(self, text: str, moment: Moment, *, full: bool = False) -> tuple[Answer, Dialogue]:
+    def ask(
+        self, text: str, moment: Moment, *, length: Length = Length.BRIEF
+    ) -> tuple[Answer, Dialogue]:
         """Answer a question in the light of the one before; also the dialogue after it."""
         question = question_of(text, moment.lexicon)
         if self.turn is not None:
             question = follow_up(question, self.turn, moment.lexicon)
-        found = answer_at(question, moment, full=full)
+        found = answer_at(question, moment, length=length)
         return found, Dialogue(Turn(question, found))
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
 from collections.abc import Sequence
 
+from plainspoken.questions.age import lasting, since_when
 from plainspoken.questions.claim import Draft
-from plainspoken.questions.doubt import as_heard, doubted, tell_doubt, tell_doubts
+from plainspoken.questions.doubt import doubted, tell_doubt, tell_doubts
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import counted, listed, number_word, plural
 from plainspoken.questions.narration import MOST_NAMED, ago, facts_together, named
@@ -15,11 +15,11 @@ from plainspoken.questions.past import is_motion, tell_whether
 from plainspoken.questions.prospect import tell_when_ahead
 from plainspoken.questions.question import Question
 from plainspoken.questions.spelling import normal
+from plainspoken.questions.standing import say_facts
 from plainspoken.world.domain import GroundAtom
-from plainspoken.world.event import ActionFinished, ObservationMade, ReportReceived
 
 
-def tell_state(draft: Draft, question: Question, *, full: bool) -> None:
+def tell_state(draft: Draft, question: Question) -> None:
     """Answer what is so."""
     asked = question.referents
     plain = normal(question.text)
@@ -44,11 +44,8 @@ def tell_state(draft: Draft, question: Question, *, full: bool) -> None:
         draft.known = False
         draft.say("I don't know which fact you mean, or I don't keep track of it")
         draft.say(hint(draft.moment))
-    if full:
-        rest = sorted(draft.moment.fluents)
-        said = facts_together(draft.moment.lexicon, rest, most=12)
-        draft.now(rest)
-        draft.say(f"All in all, {listed([saying.text for saying in said])}" if said else "")
+    if draft.full:
+        say_facts(draft, sorted(draft.moment.fluents), draft.now, opening="All in all,")
 
 
 def _best(atoms: Sequence[GroundAtom]) -> list[GroundAtom]:
@@ -65,33 +62,6 @@ def hint(moment: Moment) -> str:
     return f'You can ask "Where are you?", "What is done so far?"{example}'
 
 
-def age(draft: Draft, atom: GroundAtom) -> str:
-    """`since I checked it two actions ago`: since when a fact is as it is, and how it is known."""
-    moment = draft.moment
-    since = moment.since(atom)
-    draft.evidence.add(moment.steps[since])
-    heard = as_heard(moment, atom)
-    if heard or since == 0:
-        return heard or " from the start"
-    event = _event_at(moment, moment.steps[since])
-    when = ago(moment.now - since)
-    match event:
-        case ActionFinished(action=action):
-            deed = moment.lexicon.deed(action)
-            return f", since {deed.subject} {deed.did} {when}"
-        case ReportReceived(reporter=reporter):
-            return f", as {reporter} reported {when}"
-        case ObservationMade():
-            return f", as I saw {when}"
-        case _:
-            return f", since {when}"
-
-
-def _event_at(moment: Moment, step: int) -> object:
-    index = bisect_left(moment.entries, step, key=lambda entry: entry.step)
-    return moment.entries[index].event
-
-
 def _tell_whether(draft: Draft, atoms: Sequence[GroundAtom]) -> None:
     moment = draft.moment
     for atom in atoms:
@@ -102,13 +72,13 @@ def _tell_whether(draft: Draft, atoms: Sequence[GroundAtom]) -> None:
         draft.now([atom])
         clause = moment.lexicon.clause(atom)
         if true:
-            draft.say(f"Yes, {clause.said()}{age(draft, atom)}")
+            draft.say(f"Yes, {lasting(draft, atom)}")
         else:
             back = moment.runs.get(atom)
             was = ""
             if back:
                 draft.was(atom, back[-1][0])
-                was = f" any more{age(draft, atom)}"
+                was = f" any more{since_when(draft, atom)}"
             draft.say(f"No, {clause.said(negative=True)}{was}")
             _tell_rivals(draft, atom)
 
@@ -406,7 +376,7 @@ def tell_when(draft: Draft, question: Question) -> None:
             draft.say(clause.never())
         elif atom in moment.state:
             draft.now([atom])
-            draft.say(f"{clause.said()}{age(draft, atom)}")
+            draft.say(f"{lasting(draft, atom)}")
         else:
             draft.was(atom, runs[-1][0])
             draft.say(f"{clause.said('was')} until {ago(moment.now - runs[-1][1])}")

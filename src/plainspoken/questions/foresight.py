@@ -156,6 +156,11 @@ class Foresight:
         ]
         return frozenset.intersection(*stops) if stops else frozenset()
 
+    @cached_property
+    def kept(self) -> State:
+        """The atoms that are true now and stay so in every execution."""
+        return frozenset.intersection(*(self.policy.node(id).state for id in self.reachable))
+
     # -- what is possible ----------------------------------------------------------------------
 
     def path_to(self, wanted: Iterator[NodeId] | set[NodeId]) -> tuple[PolicyNode, ...] | None:

@@ -306,6 +306,9 @@ class Lexicon:
         if words[0] in ("has", "have") or self._is_verb(words[0]):
             return Clause(subjects[0], lemma(words[0]), " ".join([*words[1:], second]))
         if len(words) > 1 and words[0] in PREPOSITIONS and words[-1] not in PREPOSITIONS:
+            if words[1:] == split_name(self.types_of(arguments[1])[0]):
+                # `in-bay van front-bay`: the thing says by itself what kind it is.
+                return Clause(subjects[0], "be", f"{words[0]} {second}")
             return Clause(subjects[0], "be", f"{words[0]} the {' '.join(words[1:])} of {second}")
         if words[-1] in PREPOSITIONS:
             kinds = {*split_name(arguments[0])}.union(*map(split_name, self.types_of(arguments[0])))

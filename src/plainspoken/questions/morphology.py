@@ -52,6 +52,7 @@ IRREGULAR_VERBS: dict[str, tuple[str, str]] = {
 }
 """Past and past participle of the verbs that follow no rule."""
 
+PARTICIPLES = frozenset(participle for _, participle in IRREGULAR_VERBS.values())
 _PREFIX = re.compile(r"^(?:under|over|fore|with|out|up|be|mis|pre|for|dis|re|un)-?(?=[a-z]{2})")
 _SHORT = re.compile(r"[^aeiou]*(?:qu)?[aeiou][^aeiouwxy]")
 """One syllable with a short vowel, such as `stop`: its last consonant is doubled."""

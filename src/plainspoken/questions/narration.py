@@ -19,10 +19,14 @@ MOST_NAMED = 5
 
 @dataclass(frozen=True, slots=True)
 class Saying:
-    """Some words, and the atoms that they say."""
+    """Some words, and the atoms that they say.
+
+    named: whether the words tell which things, and not only how many
+    """
 
     text: str
     atoms: tuple[GroundAtom, ...]
+    named: bool = True
 
 
 def facts_together(
@@ -38,34 +42,50 @@ def facts_together(
     for atom in atoms:
         clause = lexicon.clause(atom)
         groups.setdefault((clause.verb, clause.complement), []).append((atom, clause))
-    clauses: list[tuple[Clause, tuple[GroundAtom, ...]]] = []
+    clauses: list[_Said] = []
     for unsorted in groups.values():
         members = sorted(unsorted, key=lambda member: natural(member[0]))
-        clause = members[0][1]
+        clause, named = members[0][1], True
         if len(members) > 1:
             subjects = list(dict.fromkeys(each.subject for _, each in members))
-            words = _subjects(lexicon, [atom for atom, _ in members], subjects, most)
+            words, named = _subjects(
+                lexicon, [atom for atom, _ in members], subjects, most, negative=negative
+            )
             several = len(subjects) > 1 and " of " not in subjects[0]
             clause = replace(clause, subject=words, several=several)
-        clauses.append((clause, tuple(atom for atom, _ in members)))
+        clauses.append(_Said(clause, tuple(atom for atom, _ in members), named))
     if not negative:
         clauses = _with_one_subject(clauses)
-    return [Saying(clause.said(tense, negative=negative), said) for clause, said in clauses]
+    return [
+        Saying(each.clause.said(tense, negative=negative), each.atoms, each.named)
+        for each in clauses
+    ]
 
 
-def _with_one_subject(
-    clauses: Sequence[tuple[Clause, tuple[GroundAtom, ...]]],
-) -> list[tuple[Clause, tuple[GroundAtom, ...]]]:
+@dataclass(frozen=True, slots=True)
+class _Said:
+    """A clause in the making, and the atoms that it says."""
+
+    clause: Clause
+    atoms: tuple[GroundAtom, ...]
+    named: bool
+
+
+def _with_one_subject(clauses: Sequence[_Said]) -> list[_Said]:
     """Clauses of one subject as one: `mugs 0 and 2 are picked and inside the box`."""
-    found: dict[tuple[str, str], tuple[Clause, list[str], tuple[GroundAtom, ...]]] = {}
-    for clause, atoms in clauses:
+    found: dict[tuple[str, str], list[_Said]] = {}
+    for each in clauses:
+        clause = each.clause
         # Only `be` is shared: "holds a mug and lies on the table" would need the verb twice.
         key = (clause.subject, clause.verb if clause.verb == "be" else clause.complement)
-        _, complements, before = found.get(key, (clause, [], ()))
-        found[key] = (clause, [*complements, clause.complement], before + atoms)
+        found.setdefault(key, []).append(each)
     return [
-        (replace(clause, complement=listed(complements)), atoms)
-        for clause, complements, atoms in found.values()
+        _Said(
+            replace(group[0].clause, complement=listed([one.clause.complement for one in group])),
+            tuple(atom for one in group for atom in one.atoms),
+            all(one.named for one in group),
+        )
+        for group in found.values()
     ]
 
 
@@ -75,13 +95,26 @@ def natural(text: str) -> tuple[tuple[str, int], ...]:
 
 
 def _subjects(
-    lexicon: Lexicon, atoms: Sequence[GroundAtom], subjects: Sequence[str], most: int
-) -> str:
+    lexicon: Lexicon,
+    atoms: Sequence[GroundAtom],
+    subjects: Sequence[str],
+    most: int,
+    *,
+    negative: bool,
+) -> tuple[str, bool]:
+    """Several subjects as one, and whether it tells which they are: `all four mugs`, `17 mugs`."""
+    names = dict.fromkeys(atom.split()[1] for atom in atoms if " " in atom)
+    kinds = {lexicon.type_words(name) for name in names}
+    noun = next(iter(kinds)) if len(kinds) == 1 else "thing"
+    # "All four mugs aren't clean" may mean that some are.
+    if len(names) == len(subjects) > 2 and kinds == {noun} and not negative:
+        alike = [each for each in lexicon.problem.objects if lexicon.type_words(each) == noun]
+        if len(alike) == len(names):
+            return f"all {counted(len(names), noun)}", True
     if len(subjects) <= most:
-        return enumerated(subjects)
-    kinds = {lexicon.type_words(atom.split()[1]) for atom in atoms if " " in atom}
-    noun = kinds.pop() if len(kinds) == 1 else "thing"
-    return counted(len(subjects), noun)
+        others = [each for each in subjects if each != "I"]
+        return enumerated([*others, *(["I"] if len(others) < len(subjects) else [])]), True
+    return counted(len(subjects), noun), False
 
 
 def deeds_together(
@@ -140,20 +173,26 @@ def spoken(deeds: Sequence[tuple[str, str]], *, auxiliary: str = "") -> str:
             runs[-1][1].append(words)
         else:
             runs.append((subject, [words]))
-    said = [
-        f"{subject}{_will(subject) if auxiliary == 'will' else ''} {listed(words)}"
-        for subject, words in runs
-    ]
+    said = [f"{subject}{_auxiliary(auxiliary, subject)} {listed(words)}" for subject, words in runs]
     return ", and ".join(filter(None, (", ".join(said[:-1]), said[-1]))) if said else ""
 
 
-def _will(subject: str) -> str:
-    return "'ll" if subject == "I" else " will"
+def _auxiliary(word: str, subject: str) -> str:
+    if word == "have":
+        return "'ve" if subject == "I" else " has"
+    return {"": "", "will": "'ll" if subject == "I" else " will"}[word]
 
 
-def past_deeds(deeds: Sequence[tuple[Deed, int]]) -> str:
-    """`I checked mugs 0 and 1 and picked mug 1`."""
-    return spoken([(deed.subject, often(deed.did, number)) for deed, number in deeds])
+def past_deeds(deeds: Sequence[tuple[Deed, int]], *, perfect: bool = False) -> str:
+    """`I checked mugs 0 and 1, picked mug 1 and rinsed it`; `I've checked ...`."""
+    said = referring([deed for deed, _ in deeds])
+    return spoken(
+        [
+            (deed.subject, often(deed.done if perfect else deed.did, number))
+            for deed, (_, number) in zip(said, deeds, strict=True)
+        ],
+        auxiliary="have" if perfect else "",
+    )
 
 
 def future_deeds(deeds: Sequence[Deed], opening: str = "") -> str:
@@ -184,15 +223,15 @@ def referring(deeds: Sequence[Deed], before: Deed | None = None) -> list[Deed]:
     return found
 
 
-def _things(deed: Deed) -> list[str]:
-    return [part.name for part in deed.parts if isinstance(part, Thing)]
+def _things(deed: Deed) -> list[Thing]:
+    return [part for part in deed.parts if isinstance(part, Thing)]
 
 
 def about_it(text: str, deed: Deed) -> str:
     """A saying with `it` for its subject, where the deed has named that and nothing else."""
     things = [part for part in deed.parts if isinstance(part, Thing)]
-    if len(things) != 1 or not things[0].name:
-        return text
+    if len(things) != 1 or not things[0].name or things[0].words[0].isupper():
+        return text  # "It" would mean nothing, or a person.
     words = re.escape(things[0].words)
     text = re.sub(rf"^{words} (is|was|has|isn't)\b", r"it \1", text)
     return re.sub(rf"^the (\w+) of {words} ", r"its \1 ", text)

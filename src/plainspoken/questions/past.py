@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from plainspoken.questions.age import lasting
 from plainspoken.questions.claim import ActionClaim, Draft
-from plainspoken.questions.clause import enumerated
+from plainspoken.questions.clause import Deed, enumerated
 from plainspoken.questions.moment import Happening, Moment
 from plainspoken.questions.morphology import counted, listed, participle, times
 from plainspoken.questions.narration import (
@@ -17,17 +18,17 @@ from plainspoken.questions.narration import (
     past_deeds,
 )
 from plainspoken.questions.question import Question, Span
+from plainspoken.questions.standing import say_facts, say_only
 from plainspoken.questions.wish import action_words
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.scene import is_applicable, successors
 from plainspoken.world.symbol import ActionSymbol
 
-MOST_GROUPS = 6
-BRIEF = 45
-"""Words that a brief answer aims at."""
+ROOM_FOR_REST = 15
+"""Words that a brief answer keeps for what else has changed."""
 
 
-def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
+def tell_past(draft: Draft, question: Question) -> None:
     """Answer what was done."""
     moment = draft.moment
     happenings = moment.happenings
@@ -46,8 +47,8 @@ def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
             draft.actions.add(ActionClaim(moment.started.action, moment.now + 1, "may"))
             draft.evidence.add(moment.started_step)
             draft.say(f"I've only just started {deed.doing}")
-        if full:
-            tell_facts(draft, moment)
+        if draft.full:
+            _tell_facts(draft)
         return
     if question.yes_no and re.search(
         r"\b(?:fail|error|problem|trouble|wrong)", question.text.lower()
@@ -70,11 +71,12 @@ def tell_past(draft: Draft, question: Question, *, full: bool) -> None:
             no = "No, " if question.yes_no else ""
             draft.say(f"{no}I haven't done anything with {_named(asked.objects, moment)} so far")
             return
-        _tell_all(draft, chosen or happenings, full=full)
-        if chosen == happenings == moment.happenings and not full:
-            _claim_unchanged(draft)
-    if full:
-        tell_facts(draft, moment)
+        _tell_all(draft, chosen or happenings)
+        if draft.full:
+            _tell_facts(draft)
+        return
+    if draft.full:
+        _tell_facts(draft)
 
 
 def _named(objects: Sequence[str], moment: Moment) -> str:
@@ -128,43 +130,90 @@ def outcome(moment: Moment, happening: Happening) -> list[GroundAtom]:
     if len(possible) < 2:
         return []
     common = frozenset.intersection(*possible)
-    return sorted(atom for atom in after - before if atom not in common and atom in moment.state)
+    done = participle(moment.lexicon.deed(happening.action).verb)
+    return sorted(
+        atom
+        for atom in after - before
+        if atom not in common
+        and atom in moment.state
+        and moment.lexicon.clause(atom).complement != done  # Scanned it, and now it is scanned.
+    )
 
 
-def _tell_all(draft: Draft, happenings: Sequence[Happening], *, full: bool) -> None:
-    """All of them, condensed: kinds of deeds in the order they were first done."""
+def _tell_all(draft: Draft, happenings: Sequence[Happening]) -> None:
+    """All of them, condensed: kinds of deeds in the order they were first done, and what came."""
     moment = draft.moment
     lexicon = moment.lexicon
     last = happenings[-1]
-    motions = {a for a in {each.action for each in happenings} if is_motion(moment, a)}
-    told = [each for each in happenings if each.action not in motions] or list(happenings)
+    whole = len(happenings) == len(moment.happenings)
+    told = _most_telling(draft, happenings)
     groups = deeds_together(lexicon, [each.action for each in told])
-    shown = groups if full else groups[:MOST_GROUPS]
-    while not full and len(shown) > 2 and len(past_deeds(shown).split()) > BRIEF - 15:
-        shown = shown[:-1]
-    draft.did_all(happenings)
-    opening = past_deeds(shown)
-    if len(groups) > len(shown):
+    draft.did_all(told)
+    several = len(happenings) > 1
+    opening = past_deeds(groups, perfect=several)
+    if len(told) < len(happenings):
         opening += f", among other things: {counted(len(happenings), 'action')} in all"
-    draft.say(f"So far {opening}" if len(happenings) > 1 else opening)
-    if last.action in motions and len(told) < len(happenings):
-        draft.say(f"{_just(moment, last)} {past_deeds([(lexicon.deed(last.action), 1)])}")
-    elif len(told) > 2 and len(groups) > 1 and shown[-1][0] != lexicon.deed(last.action):
-        found = listed([each.text for each in facts_together(lexicon, outcome(moment, last))])
-        draft.now(outcome(moment, last))
-        told_last = past_deeds([(lexicon.deed(last.action), 1)])
+    draft.say(f"So far {opening}" if several else opening)
+    came = outcome(moment, last)
+    spare = len(groups) > 3 and draft.room > ROOM_FOR_REST
+    if groups[-1][0] != _deed(moment, last) and (came or last not in told or spare):
+        found = listed([each.text for each in facts_together(lexicon, came)])
+        draft.now(came)
+        draft.did(last)
+        told_last = past_deeds([(_deed(moment, last), 1)])
         draft.say(f"{_just(moment, last)} {told_last}" + (f": {found}" if found else ""))
+    if whole and not draft.full:
+        _tell_rest(draft, told)
 
 
-def _claim_unchanged(draft: Draft) -> None:
-    """Claim what has been so all the time."""
+def _deed(moment: Moment, happening: Happening) -> Deed:
+    return moment.lexicon.deed(happening.action)
+
+
+def _most_telling(draft: Draft, happenings: Sequence[Happening]) -> list[Happening]:
+    """Those that there is room to tell: going from place to place only where all else is told."""
+    moment = draft.moment
+    names = list(dict.fromkeys(each.action.split()[0] for each in happenings))
+    moving = {name for name in names if is_motion(moment, _of(name, happenings))}
+    if len(moving) == len(names):
+        moving = set()
+    kept: set[str] = set()
+    for name in [*(n for n in names if n not in moving), *(n for n in names if n in moving)]:
+        tried = [each for each in happenings if each.action.split()[0] in {*kept, name}]
+        groups = deeds_together(moment.lexicon, [each.action for each in tried])
+        if not kept or len(past_deeds(groups).split()) <= draft.room - ROOM_FOR_REST:
+            kept.add(name)
+    return [each for each in happenings if each.action.split()[0] in kept]
+
+
+def _of(name: str, happenings: Sequence[Happening]) -> str:
+    return next(each.action for each in happenings if each.action.split()[0] == name)
+
+
+def _tell_rest(draft: Draft, told: Sequence[Happening]) -> None:
+    """What else has changed, or that nothing has."""
     moment = draft.moment
     moment.look_back(moment.fluents)
-    draft.now(atom for atom in sorted(moment.fluents) if moment.since(atom) == 0)
+    known = {each.at for each in told}
+    changed = any(
+        at not in known and moment.states[at] != moment.states[at - 1]
+        for at in range(1, moment.now + 1)
+    )
+    if not changed:
+        draft.now(atom for atom in sorted(moment.fluents) if moment.since(atom) == 0)
+        draft.say("Nothing else has changed")
+        draft.rest = True
+        return
+    kept = [atom for atom in sorted(moment.fluents) if moment.since(atom) == 0]
+    changing = [a for a, runs in moment.runs.items() if runs != [(0, moment.now)]]
+    several = len({moment.lexicon.clause(a).subject for a in changing} - {"I"}) > 1
+    verb = f"{'have' if several else 'has'} changed"
+    if not say_only(draft, changing, kept, draft.now, verb, others="still"):
+        say_facts(draft, kept, draft.now, "still")
 
 
 def _just(moment: Moment, last: Happening) -> str:
-    return "Most recently" if last.at == moment.now else f"Last, {ago(moment.now - last.at)},"
+    return "Most recently" if last.at == moment.now else ago(moment.now - last.at)
 
 
 def is_motion(moment: Moment, action: str) -> bool:
@@ -173,24 +222,22 @@ def is_motion(moment: Moment, action: str) -> bool:
     return len(deed.parts) == 2 and deed.parts[0] == "to"
 
 
-def tell_facts(draft: Draft, moment: Moment) -> None:
+def _tell_facts(draft: Draft) -> None:
     """Every fact over the time so far: what held from the start, and what came and went."""
-    for atom, runs in sorted(moment.runs.items()):
-        if moment.changes(atom):
-            for start, _ in runs:
-                draft.was(atom, start)
+    moment = draft.moment
     ended = sorted(
         atom
         for atom, runs in moment.runs.items()
         if moment.changes(atom) and runs[-1][1] < moment.now
     )
-    kept = sorted(moment.fluents)
-    lexicon = moment.lexicon
-    if ended:
-        said = [each.text for each in facts_together(lexicon, ended, "was", most=12)]
-        draft.say(f"Earlier {listed(said)}")
-    if kept:
-        draft.say(f"Now {listed([e.text for e in facts_together(lexicon, kept, most=12)])}")
+
+    def claim(atoms: Sequence[GroundAtom]) -> None:
+        for atom in atoms:
+            for start, _ in moment.runs[atom]:
+                draft.was(atom, start)
+
+    say_facts(draft, ended, claim, "was", "Earlier")
+    say_facts(draft, sorted(moment.fluents), claim, opening="Now")
 
 
 def tell_whether(draft: Draft, question: Question) -> None:
@@ -273,7 +320,7 @@ def _count_all(draft: Draft, question: Question) -> None:
             draft.say(f"No, {clause.never()}" if question.yes_no else f"Not once: {clause.never()}")
         else:
             yes = "Yes, " if question.yes_no else ""
-            draft.say(f"{yes}{clause.said('was')} {times(len(runs))} so far")
+            draft.say(f"{yes}{clause.ever()} {times(len(runs))} so far")
         return
     happenings = moment.happenings
     draft.evidence.update(each.step for each in happenings[-1:])
@@ -309,16 +356,14 @@ def tell_so_far(draft: Draft, question: Question, *, hoped: bool = True) -> None
         clause = lexicon.clause(atom)
         often_so = f" {times(len(runs))}" if len(runs) > 1 else ""
         if atom in moment.state:
-            since = runs[-1][0]
-            when = "from the start" if since == 0 else f"since {ago(moment.now - since)}"
             draft.say(
-                f"{yes}{clause.said()}, {when}"
+                f"{yes}{lasting(draft, atom)}"
                 if not often_so
-                else (f"{yes}{clause.said('was')}{often_so}, and it is so now")
+                else f"{yes}{clause.ever()}{often_so}, and it is so now"
             )
         else:
             last = ago(moment.now - runs[-1][1])
-            draft.say(f"{yes}{clause.said('was')}{often_so}, the last time {last}")
+            draft.say(f"{yes}{clause.ever()}{often_so}, the last time {last}")
 
 
 def _meant_facts(question: Question, moment: Moment) -> list[GroundAtom]:

@@ -3,32 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from plainspoken.questions.claim import ActionClaim, Draft
 from plainspoken.questions.morphology import listed
-from plainspoken.questions.narration import (
-    MOST_NAMED,
-    Saying,
-    facts_together,
-    natural,
-    present_deed,
-)
-from plainspoken.questions.past import BRIEF, outcome
+from plainspoken.questions.narration import facts_together, natural, present_deed
+from plainspoken.questions.past import outcome
 from plainspoken.questions.question import Question
 from plainspoken.questions.reason import purpose_words, reason_for
 from plainspoken.questions.spelling import normal
+from plainspoken.questions.standing import say_facts
 from plainspoken.questions.wish import are_my_places
 from plainspoken.world.domain import GroundAtom
 from plainspoken.world.symbol import AtomSymbol
 
-MOST_FACTS = 4
-"""Facts that a brief answer names; the others are claimed, not said."""
 _HALTED = re.compile(r"\b(?:paused|stopped|idle|on hold|free|resting|inactive|waiting|stuck)\b")
 _GOING = re.compile(r"\b(?:moving|working|running|active|busy|occupied)\b")
 
 
-def tell_now(draft: Draft, question: Question, *, full: bool) -> None:
+def tell_now(draft: Draft, question: Question) -> None:
     """Answer what is going on; whether it is, with yes or no first."""
     moment = draft.moment
     if moment.ended is not None:
@@ -36,8 +29,8 @@ def tell_now(draft: Draft, question: Question, *, full: bool) -> None:
     else:
         _tell_action(draft)
     agreed = question.yes_no and _agree(draft, question)
-    if full or not agreed:
-        _tell_standing(draft, full=full)
+    if draft.full or not agreed:
+        _tell_standing(draft)
 
 
 def _agree(draft: Draft, question: Question) -> bool:
@@ -117,7 +110,8 @@ def _tell_action(draft: Draft) -> None:
         draft.actions.add(ActionClaim(node.action, moment.now + 1, "will"))
         deed = lexicon.deed(node.action)
         will = "I'm about to" if deed.subject == "I" else f"{deed.subject} is about to"
-        parts.append(f"{will} {deed.bare}")
+        again = moment.happenings and moment.happenings[-1].action == node.action
+        parts.append(f"{will} {'try again' if again and parts else deed.bare}")
     elif moment.chosen is None:
         parts.append("I'm working out how to do what you asked")
     elif not parts:
@@ -125,32 +119,13 @@ def _tell_action(draft: Draft) -> None:
     draft.say(", and ".join(parts))
 
 
-def _tell_standing(draft: Draft, *, full: bool) -> None:
+def _tell_standing(draft: Draft) -> None:
     """How things stand: where I am, what the action touches, then what the request speaks of."""
-    moment = draft.moment
-    draft.now(moment.fluents)
-    order = ranked(draft, moment.fluents, everything=full)
-    sayings = facts_together(moment.lexicon, order, most=12 if full else MOST_NAMED)
-    room = BRIEF - sum(len(sentence.split()) for sentence in draft.sentences)
-    chosen: list[Saying] = []
-    for saying in sayings:
-        room -= len(saying.text.split()) + 1
-        if not full and ((room < 0 and chosen) or _facts_in([*chosen, saying]) > MOST_FACTS):
-            break
-        chosen.append(saying)
-    draft.say(listed([saying.text for saying in chosen]))
+    say_facts(draft, ranked(draft, draft.moment.fluents), draft.now)
 
 
-def _facts_in(sayings: Sequence[Saying]) -> int:
-    """How many facts are said: those said of several things together count once."""
-    return sum(len({atom.split()[0] for atom in saying.atoms}) for saying in sayings)
-
-
-def ranked(draft: Draft, atoms: Iterable[GroundAtom], *, everything: bool) -> list[GroundAtom]:
-    """Facts, what matters most first: where I am, what the action touches, or what it is done for.
-
-    What has to do with neither the request nor these actions is left out, unless all is wanted.
-    """
+def ranked(draft: Draft, atoms: Iterable[GroundAtom]) -> list[GroundAtom]:
+    """Facts, what matters most first: where I am, what the action touches or is done for."""
     moment = draft.moment
     lexicon = moment.lexicon
     action = moment.started.action if moment.started else None
@@ -173,5 +148,4 @@ def ranked(draft: Draft, atoms: Iterable[GroundAtom], *, everything: bool) -> li
                 return number
         return 3 if atom in asked else 4
 
-    order = sorted(atoms, key=lambda atom: (rank(atom), natural(atom)))
-    return order if everything else [atom for atom in order if rank(atom) < 4]
+    return sorted(atoms, key=lambda atom: (rank(atom), natural(atom)))

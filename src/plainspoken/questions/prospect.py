@@ -77,7 +77,7 @@ def _whether_action(draft: Draft, ahead: Foresight, question: Question) -> None:
     if sure:
         deeds = deeds_together(lexicon, sure)
         yes = "Yes, " if question.yes_no else ""
-        draft.say(f"{yes}{future_deeds([deed for deed, _ in deeds])}, {when}")
+        draft.say(f"{yes}{future_deeds([deed for deed, _ in deeds])} {when}")
     else:
         deed = lexicon.deed(nearest)
         draft.say(f"Perhaps: it depends on how things turn out; I may {deed.bare} {when}")

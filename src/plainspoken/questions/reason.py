@@ -20,7 +20,7 @@ from plainspoken.questions.foresight import Foresight
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.narration import facts_together, present_deed, referring
 from plainspoken.questions.question import Question
-from plainspoken.questions.wish import wanted, wish_of
+from plainspoken.questions.wish import desired, wish_of
 from plainspoken.world.domain import GroundAction, GroundAtom
 from plainspoken.world.event import Instant
 from plainspoken.world.scene import is_applicable
@@ -198,7 +198,7 @@ class _Search:
 def purpose_words(draft: Draft, reason: Reason) -> str:
     """` so that I can sign off line 1`: the first step of a reason, behind the action."""
     lexicon = draft.moment.lexicon
-    goal = _last_of_a_kind(reason)
+    goal = further_link(reason)
     if goal is None:
         return ""
     draft.node(goal.node)
@@ -207,7 +207,7 @@ def purpose_words(draft: Draft, reason: Reason) -> str:
     return f" so that {deed.subject} can {deed.bare}"
 
 
-def _last_of_a_kind(reason: Reason) -> Link | None:
+def further_link(reason: Reason) -> Link | None:
     """The first later link whose action is of another kind: driving on to drive on is no reason."""
     first = reason.links[0].action.split()[0]
     for link in reason.links[1:]:
@@ -307,7 +307,7 @@ def _say_reason(
         return
     for link in reason.links:
         draft.node(link.node)
-    goal = _last_of_a_kind(reason)
+    goal = further_link(reason)
     words = ""
     if goal is not None:
         (deed,) = referring([lexicon.deed(goal.action)], lexicon.deed(reason.links[0].action))
@@ -316,12 +316,11 @@ def _say_reason(
         words = f" so that {deed.subject} {'could' if was else 'can'} {deed.bare}"
     part = ""
     if reason.part is not None:
-        part = f"you want {wanted(wish_of(moment.demand_of(reason.part).said, lexicon), lexicon)}"
+        part = f"you want {desired(wish_of(moment.demand_of(reason.part).said, lexicon), lexicon)}"
         draft.evidence.add(moment.entries[0].step)
     if words:
-        draft.say(f"{opening}{words}")
-        obstacle = "" if was or later else _obstacle(draft, reason)
-        draft.say("; ".join(filter(None, (obstacle, part and f"I need that because {part}"))))
+        draft.say(f"{opening}{words}{part and f', since {part}'}")
+        draft.say("" if was or later else _obstacle(draft, reason))
     else:
         draft.say(f"{opening} because {part}" if part else opening)
 
@@ -347,7 +346,7 @@ def _obstacle(draft: Draft, reason: Reason) -> str:
             continue
         draft.now([atom])
         (saying,) = facts_together(moment.lexicon, [atom])
-        return f"{saying.text}, and as long as it is I can't {moment.lexicon.deed(blocked).bare}"
+        return f"{saying.text}, and until that changes I can't {moment.lexicon.deed(blocked).bare}"
     return ""
 
 

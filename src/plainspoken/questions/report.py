@@ -95,8 +95,14 @@ class Report:
         return frozenset(atom for atom, so in self.facts.whole if so == holds)
 
 
-def understood(text: str, lexicon: Lexicon, state: State) -> Report:
-    """Understand a report; state: what is so now, static atoms included."""
+def understood(
+    text: str, lexicon: Lexicon, state: State, unknown: Iterable[GroundAtom] = ()
+) -> Report:
+    """Understand a report.
+
+    state:   what is so now, static atoms included
+    unknown: what nobody knew at s0, beside what the problem names
+    """
     reason = _unspeakable(text)
     if reason is not None:
         return Report(text, Status.REJECT, reason=reason)
@@ -104,7 +110,8 @@ def understood(text: str, lexicon: Lexicon, state: State) -> Report:
     reason = _refusal(text, clauses, lexicon)
     if reason is not None:
         return Report(text, Status.REJECT, reason=reason)
-    return _Reader(lexicon, state, exclusions_of(lexicon.problem)).report(text, clauses)
+    exclusions = exclusions_of(lexicon.problem, frozenset(unknown))
+    return _Reader(lexicon, state, exclusions).report(text, clauses)
 
 
 def settled_on(report: Report, choice: Choice, lexicon: Lexicon) -> Report:

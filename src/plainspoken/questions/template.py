@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from plainspoken.questions.morphology import participle
 from plainspoken.world.domain import (
     Action,
     AllOf,
@@ -150,7 +151,7 @@ class _Writer:
         for index, name in enumerate(self._names):
             if name != self._me:
                 self._slot(index)
-        moved = self._motion(self._me) if self._me else None
+        moved = self._motion(self._me) if self._me else self._own_motion()
         # "To pick up" names nothing yet, "to ask a human" does.
         says_whom = not set(self._rest.split()) <= _PARTICLES
         spoken_to = says_whom and (self._from_landmark or self._verb in _SPEAKING)
@@ -160,7 +161,7 @@ class _Writer:
             self._append("to", moved[1])
         for name in self._mentioned:
             self._placed(name, skip={self._me, *(moved or ())})
-        if spoken_to and not self._mentioned:
+        if spoken_to and not self._mentioned and " to " not in self._rest:
             self._topic(moved)
         return Template(self._verb, tuple(self._parts))
 
@@ -201,6 +202,16 @@ class _Writer:
                     return gone.terms[1], come.terms[1]
         return None
 
+    def _own_motion(self) -> tuple[str, str] | None:
+        """The same of a robot that is no object of the problem: `robot-in ?room`."""
+        for gone in self._shape.deleted:
+            for come in self._shape.added:
+                same = gone.predicate == come.predicate and gone.terms != come.terms
+                where = re.split(r"[-_]+", gone.predicate)[-1] in _PLACE
+                if same and where and len(gone.terms) == len(come.terms) == 1:
+                    return gone.terms[0], come.terms[0]
+        return None
+
     def _direct_object(self, moved: tuple[str, str] | None) -> None:
         changed = [
             term
@@ -235,6 +246,8 @@ class _Writer:
                 continue
             if word in _PLACE:
                 self._append("to" if moved and word == "at" else word, where)
+            elif atom.predicate == participle(self._verb):
+                self._append("to", where)  # `given ?medicine ?patient`, by giving it.
 
     def _topic(self, moved: tuple[str, str] | None) -> None:
         """Name the one thing that changes, where the landmark's words name none."""

@@ -343,6 +343,12 @@ def wanted(wish: Wish, lexicon: Lexicon) -> str:
             return f"this: {plain(wish.said, lexicon)}"
 
 
+def desired(wish: Wish, lexicon: Lexicon) -> str:
+    """The wish after `you want`, at its shortest: `line 1 cleared`, `me to keep out of line 3`."""
+    words = wanted(wish, lexicon)
+    return words.replace(" to be ", " ") if wish.aim is Aim.REACH and not wish.bare else words
+
+
 def _infinitive(lexicon: Lexicon, atom: GroundAtom) -> str:
     clause = lexicon.clause(atom)
     subject = "me" if clause.subject == "I" else clause.subject

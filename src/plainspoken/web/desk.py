@@ -41,6 +41,7 @@ from plainspoken.planning.solver import Ending
 from plainspoken.planning.watch import Progress
 from plainspoken.questions.conversation import Conversation, Said, message_of
 from plainspoken.questions.dialogue import Dialogue
+from plainspoken.questions.length import Length
 from plainspoken.questions.moment import Moment
 from plainspoken.work.shift import TICK, robots_of, utc_now
 from plainspoken.work.worker import RobotFor, Worker
@@ -294,7 +295,8 @@ class Desk:
     ) -> tuple[Any, Dialogue]:
         """Answer a question about a mission; also the dialogue after it."""
         moment = Moment(self.log(mission), at, utc_now() if at is None else None)
-        return (dialogue or Dialogue()).ask(text, moment, full=full)
+        length = Length.FULL if full else Length.BRIEF
+        return (dialogue or Dialogue()).ask(text, moment, length=length)
 
     def say(
         self, mission: MissionId, text: str, by: str, conversation: Conversation | None = None

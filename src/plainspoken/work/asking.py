@@ -16,7 +16,7 @@ from plainspoken.mission.mission import Mission, mission_from
 from plainspoken.mission.observation import LookAsked
 from plainspoken.work.shift import TICK, Shift, standing_of
 from plainspoken.world.domain import GroundAtom
-from plainspoken.world.event import ObservationMade
+from plainspoken.world.event import ObservationMade, ReportReceived
 
 
 @dataclass(frozen=True)
@@ -25,11 +25,13 @@ class Reply:
 
     heard:  whether it is in the log
     worker: who carries the mission out, None where nobody does
+    others: whether there are workers who may take it up
     """
 
     mission: Mission
     heard: bool
     worker: WorkerId | None
+    others: bool = False
 
 
 def ask_of(
@@ -62,6 +64,7 @@ def ask_of(
         mission_from(store.entries(mission)),
         all(message.number != number for message in store.unanswered(mission)),
         None if place is None else place.worker,
+        bool(store.workers()),
     )
 
 
@@ -91,8 +94,8 @@ def look(
         seen = {
             each["atom"]
             for event in events
-            if isinstance(event, ObservationMade)
-            for each in event.sensed
+            if isinstance(event, ObservationMade | ReportReceived)
+            for each in (event.sensed if isinstance(event, ObservationMade) else event.told)
         }
         if atoms <= seen:
             return True

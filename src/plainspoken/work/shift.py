@@ -130,11 +130,15 @@ class Held:
     def requests(self) -> Asked | None:
         """What was asked, one at a time.
 
+        Whoever asks for the next has decided on the last one: where that led to no entry, it is
+        done with, and whoever asked need not wait.
         raises LetGo: when this process is not to go on
         """
         while True:
             if self._let_go.is_set():
                 raise LetGo(self.mission)
+            with suppress(StoreError):  # it may come back in time
+                self.dismiss()
             try:
                 message = self._messages.get_nowait()
             except queue.Empty:
@@ -164,6 +168,7 @@ class Held:
         """Note that what was read, and led to nothing, is done with."""
         if self._read > self._answered:
             self._store.dismiss(self.mission, self._read, self._step)
+            self._answered = self._read
 
 
 def standing_of(mission: Mission) -> Standing:

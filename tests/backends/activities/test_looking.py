@@ -147,6 +147,31 @@ def test_a_look_that_nobody_waits_for_is_taken_back() -> None:
     assert camera.cancelled == ["m/look-1:full_b1#0.0"]
 
 
+def test_of_a_look_only_what_nobody_needs_any_more_is_taken_back() -> None:
+    camera = Scripted([Going({})])
+    look, _ = looking({"camera": camera}, CAMERA)
+    look.sense("m/look-1", ["full b1", "full b2"], 0.0)
+    look.sense("m/look-1", ["full b2"], 0.0)
+    assert camera.cancelled == ["m/look-1:full_b1#0.0"]
+
+
+def test_a_look_that_was_taken_back_can_be_asked_for_again(tmp_path: Path) -> None:
+    questions = Questions(SqliteDatabase(tmp_path / "store"))
+    look, _ = looking({"person": HumanService(questions)}, PERSON)
+    assert look.sense("m/look-1", ["full b1", "full b2"], 0.0) is None
+    first, second = questions.open()
+    questions.answer(first.call, "yes", "ada")
+    assert look.sense("m/look-1", ["full b1", "full b2"], 0.0) is None
+    look.dismiss("m/look-1")
+    assert questions.open() == ()
+    assert look.sense("m/look-1", ["full b1", "full b2"], 0.0) is None
+    assert questions.open() == (second,)
+    questions.answer(second.call, "no", "bob")
+    found = look.sense("m/look-1", ["full b1", "full b2"], 0.0)
+    assert found is not None
+    assert [(each.holds, each.reporter) for each in found] == [(True, "ada"), (False, "bob")]
+
+
 def test_what_nothing_can_be_asked_about_is_not_known() -> None:
     look, _ = looking({}, CAMERA)
     found = look.sense("m/look-1", ["lit lamp"], 0.0)

@@ -67,6 +67,8 @@ class Looking:
     ) -> tuple[Telling, ...] | None:
         """What is told of each fact; None while something is still asked."""
         questions = self._looks.setdefault(look, {})
+        for atom in questions.keys() - set(atoms):  # somebody has told of it in another way
+            self._take_back(look, questions.pop(atom))
         for atom in atoms:
             if atom not in questions:
                 questions[atom] = self._question(atom)
@@ -86,10 +88,13 @@ class Looking:
             self._sleep(min(POLL, left))
 
     def dismiss(self, look: LookId) -> None:
-        """Nobody waits for a look any longer: what is still asked is taken back."""
-        for question in self._looks.pop(look, {}).values():
-            if question.told is None and question.until is not None:
-                self._take_back(look, question)
+        """Nobody waits for a look any longer: what is still asked is taken back.
+
+        What was told stays told, with its time: the look may be asked for again.
+        """
+        questions = self._looks.get(look, {})
+        for atom in [each.atom for each in questions.values() if each.told is None]:
+            self._take_back(look, questions.pop(atom))
 
     def _question(self, atom: GroundAtom) -> _Question:
         for sensor in self._sensors:
@@ -159,6 +164,9 @@ class Looking:
         question.until, question.after, question.why = None, 0.0, why
 
     def _take_back(self, look: LookId, question: _Question) -> None:
+        """Give up a try, where one is under way."""
+        if question.told is not None or question.until is None:
+            return
         service = self._services[question.sensor.ways[question.way].service]
         with suppress(Unreachable):
             service.cancel(_call(look, question))

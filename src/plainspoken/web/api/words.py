@@ -27,7 +27,9 @@ router = APIRouter(tags=["commands"])
 def read_report(mission: MissionName, words: Words, office: TheOffice, _: TheCaller) -> ReportRead:
     """What a report in words comes to. To record it, send `added` and `deleted` to `reports`."""
     standing = office.standings.of(mission)
-    report = understood(words.text, lexicon_of(standing.accepted), standing.mission.world)
+    accepted = standing.accepted
+    world = standing.mission.world
+    report = understood(words.text, lexicon_of(accepted), world, accepted.unknown)
     facts = {"added": sorted(report.added), "deleted": sorted(report.deleted)}
     return ReportRead.model_validate(report.to_json() | facts)
 
