@@ -104,7 +104,7 @@ def taken(page: Page, folder: Path, kind: str, name: str) -> None:
     page.screenshot(path=file, full_page=whole)
     if find_spec("PIL") is not None:  # a fourth of the size, and nobody sees it
         image = import_module("PIL.Image")
-        found = image.open(file).convert("RGB").quantize(256, image.Quantize.MAXCOVERAGE)
+        found = image.open(file).convert("RGB").quantize(256, image.Quantize.MAXCOVERAGE, kmeans=4)
         found.save(file, optimize=True)
     print(f"{name}-{kind}")
 

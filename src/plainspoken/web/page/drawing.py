@@ -94,7 +94,7 @@ class Drawing:
             inside.append(
                 tag("rect", x=x - 54, y=y - 8, width=108.0, height=44.0, class_="building")
             )
-            label = (x, y + 56)
+            label = (x, y + 61)
         else:
             inside.append(tag("circle", cx=x, cy=y, r=30.0, class_="stop"))
             label = (x, y - 40)
