@@ -15,6 +15,7 @@ from plainspoken.world.event import (
     Event,
     LookRequested,
     MissionAccepted,
+    MissionEnded,
     ObservationMade,
     VerdictReached,
 )
@@ -66,3 +67,9 @@ def test_what_cannot_hold_any_more_is_said_in_words() -> None:
     assert one.came_of == "Visit the office."
     assert both.came_of.startswith("not all of these: Visit the office. ")
     assert why.came_of == "The desk cannot be reached."
+    _, end = told(
+        VerdictReached("violated", clause),
+        MissionEnded("stopped", False, f"the request can no longer be met: {clause} is violated"),
+    )
+    met = "the request can no longer be met: “Visit the office” is violated"
+    assert end.came_of == f"not satisfied: {met}"

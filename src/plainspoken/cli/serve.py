@@ -51,7 +51,7 @@ PACE = 0.6
 @click.option(
     "--side-by-side",
     is_flag=True,
-    help="Have several robots at work at once, where what they do does not get in the way.",
+    help="Let different robots be at work at once, where that makes no difference but to the time.",
 )
 @click.option("--demo", is_flag=True, help="Have a mission under way in the vineyard.")
 def serve(

@@ -72,6 +72,7 @@ class Chronicle:
         self._state: State = frozenset()
         self._going: dict[GoalId, Line] = {}
         self._lines: list[Line] = []
+        self._reached: VerdictReached | None = None
 
     def add(self, entry: Entry) -> None:
         """Take in one entry."""
@@ -101,8 +102,14 @@ class Chronicle:
                 self._lines.append(self._line(entry, "person", text))
             case VerdictReached(verdict="violated"):
                 text = "what was asked for cannot hold any more"
+                self._reached = event
                 reason = _broken(event, self._lexicon)
                 self._lines.append(self._line(entry, "trouble", text, reason))
+            case MissionEnded(outcome, satisfied):
+                verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
+                why = ended_because(event, self._reached, self._lexicon)
+                came_of = f"{verdict}: {why}" if why else verdict
+                self._lines.append(self._line(entry, "end", outcome, came_of))
             case _:
                 found = _told(event, news(before, self._state, self._lexicon))
                 if found is not None:
@@ -168,6 +175,21 @@ def _broken(reached: VerdictReached, lexicon: Lexicon) -> str:
     return f"not all of these: {' '.join(said)}" if reached.together else " ".join(said)
 
 
+def ended_because(
+    ended: MissionEnded, reached: VerdictReached | None, lexicon: Lexicon
+) -> str | None:
+    """Why a mission ended, the parts of the request in it in words.
+
+    reached: what had become certain of the request by then
+    """
+    reason = ended.reason
+    if reason is not None and reached is not None:
+        for text in filter(None, (reached.clause, *reached.together)):
+            words = say(parse(text), lexicon.landmarks).rstrip(".")
+            reason = reason.replace(text, f"“{words}”")
+    return reason
+
+
 def _told(event: Event, news: str) -> tuple[Sort, str, str] | None:
     """Sort, text and what came of it, of an event that is no action."""
     match event:
@@ -185,9 +207,6 @@ def _told(event: Event, news: str) -> tuple[Sort, str, str] | None:
             return "person", remark(event) or "", news
         case VerdictReached():
             return "end", "everything asked for holds, whatever happens now", ""
-        case MissionEnded(outcome, satisfied, reason):
-            verdict = "everything asked for is satisfied" if satisfied else "not satisfied"
-            return "end", outcome, f"{verdict}: {reason}" if reason else verdict
         case _:
             said = remark(event)
             if said is None:

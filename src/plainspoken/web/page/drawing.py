@@ -94,10 +94,10 @@ class Drawing:
             inside.append(
                 tag("rect", x=x - 54, y=y - 8, width=108.0, height=44.0, class_="building")
             )
-            label = (x, y + 52)
+            label = (x, y + 61)
         else:
             inside.append(tag("circle", cx=x, cy=y, r=30.0, class_="stop"))
-            label = (x, y + 50)
+            label = (x, y - 40)
         said = self.ground.lexicon.object_words(name).removeprefix("the ")
         words = f"{said} {mark.sign}".strip() if mark else said
         tone = f" {mark.tone}" if mark else ""
@@ -118,6 +118,9 @@ class Drawing:
             for (x, y), each in zip(self._slots(place, len(here)), here, strict=True):
                 yield self._thing(each, x, y, held)
         lost = [where[name] for name in self.ground.things if where[name].holder is None]
+        if lost:
+            yield tag("text", "no place known:", x=24.0, y=HEIGHT - 56, class_="name",
+                      data_key="no place")  # fmt: skip
         for index, each in enumerate(lost):
             yield self._thing(each, 40 + 46.0 * index, HEIGHT - 30, held)
 
@@ -189,13 +192,17 @@ class Drawing:
             yield self._group(f"thing {robot}", robot, inside, classes, self._stand(place, index))
 
     def _stand(self, place: Place, index: int) -> Point:
-        """Where the first, second ... robot stands at a place: before a house, not in it."""
+        """Where the first, second ... robot stands at a place: beside it, so that one sees both."""
         spot = self._spots.get(place)
         if spot is None:
             return 40 + 60.0 * index, HEIGHT - 80
         x, y = spot.at
-        aside = -150.0 if spot.shape == "house" else 0.0
-        return x + aside + 60.0 * index, y + (6.0 if aside else 24.0)
+        if spot.shape == "row":
+            return x + 60.0 * index, y + 24
+        if spot.shape == "house":
+            return x - 190 + 60.0 * index, y + 6
+        side = -1 if index % 2 == 0 else 1
+        return x + side * (54.0 + 54 * (index // 2)), y + 6
 
     def _group(
         self, key: str, thing: str, inside: Sequence[Html], classes: str, at: Point | None = None

@@ -19,7 +19,7 @@ from plainspoken.logic.formula import conjunction
 from plainspoken.mission.mission import Status
 from plainspoken.planning.diagram import rules
 from plainspoken.planning.policy import Policy
-from plainspoken.questions.chronicle import Line, chronicle
+from plainspoken.questions.chronicle import Line, chronicle, ended_because
 from plainspoken.questions.lexicon import Lexicon
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import listed, sentence
@@ -98,8 +98,10 @@ class View:
         """What goes on, in a sentence."""
         moment = self.moment
         if moment.ended is not None:
+            reached = moment.certain[1] if moment.certain else None
             told = "everything asked for is satisfied" if moment.ended.satisfied else (
-                moment.ended.reason or "not everything asked for is satisfied"
+                ended_because(moment.ended, reached, moment.lexicon)
+                or "not everything asked for is satisfied"
             )  # fmt: skip
             return sentence(f"{moment.ended.outcome}: {told}")
         if moment.started is not None:
