@@ -8,6 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.mission.small_vineyard import PROBLEM, accepted, policy_for
+from tests.mission.store_room import SITE as STORE_ROOM
+from tests.mission.store_room import Kept
 from tests.strategies import formulas, traces
 
 from plainspoken.automata.verdict import Monitor, Verdict
@@ -17,10 +19,19 @@ from plainspoken.logic.trace import Letter, Trace, holds
 from plainspoken.mission.command import Plan
 from plainspoken.mission.executive import Advance, accept, advance
 from plainspoken.mission.judgement import broken_parts, first_breach, judgements, reached
-from plainspoken.mission.observation import ActionDone, NotPlanned, Observation, PauseAsked, Sensed
-from plainspoken.pipeline import Site, replanner
+from plainspoken.mission.observation import (
+    ActionDone,
+    NotPlanned,
+    Observation,
+    PauseAsked,
+    Sensed,
+)
+from plainspoken.mission.observation import Told as Reported
+from plainspoken.pipeline import Request, Site, accepted_as, find_policy, replanner
+from plainspoken.planning.solver import Solved
 from plainspoken.world.event import Entry, MissionEnded, VerdictReached
 from plainspoken.world.scene import successors
+from plainspoken.world.sense import Sense, senses_to_json
 
 
 class Told:
@@ -178,3 +189,27 @@ def test_conjuncts_are_judged_as_they_are_written() -> None:
     told = Told("F cleared_l0 & G robot_at_sup_wh")
     (first, *_) = judgements(told.entries)
     assert [parse(clause) for clause, _ in first.clauses] == list(conjuncts(goal))
+
+
+def test_what_was_only_assumed_and_is_otherwise_has_the_instant_judged_anew() -> None:
+    goal = parse("F in_parcel_ramp & G !full_ramp")
+    ending = find_policy(STORE_ROOM.problem, goal)
+    assert isinstance(ending, Solved)
+    senses = senses_to_json([Sense("full {p}", ("eye",), needed=True)])
+    request = Request("m", goal, robot={"senses": senses})
+    kept = Kept()
+    first = accept(accepted_as(STORE_ROOM, request), ending.policy)
+    kept.record(0, first.events)
+    then = advance(
+        first.mission, Reported("ada", "the ramp is full", added=frozenset({"full ramp"}))
+    )
+    kept.record(then.mission.instant, then.events)
+    assert isinstance(kept.entries[-1].event, MissionEnded)
+    assert [(each.instant, each.verdict) for each in judgements(kept.entries)] == [
+        (0, Verdict.OPEN),
+        (0, Verdict.VIOLATED),
+    ]
+    breach = first_breach(judgements(kept.entries))
+    assert breach is not None
+    assert breach.broken == ("G !full_ramp",)
+    assert kept.entries[breach.step].kind == "report_received"

@@ -61,6 +61,8 @@ class Judgement:
 def judgements(entries: Iterable[Entry]) -> Iterator[Judgement]:
     """What was known of the request after each instant, and wherever it was changed.
 
+    An instant has several where something that was only assumed turned out to be otherwise.
+
     raises PlainspokenError: when the entries are no log of a mission
     """
     mission: Mission | None = None
@@ -72,13 +74,13 @@ def judgements(entries: Iterable[Entry]) -> Iterator[Judgement]:
             mission = begun(event, Limits())
             yield _judged(mission, entry.step)
             continue
-        before = mission.instant
+        before = mission.instant, mission.state
         mission = after(mission, event)
         if isinstance(event, VerdictReached) and event.reason is not None:
             judged = _judged(mission, entry.step)
             yield replace(judged, verdict=Verdict(event.verdict), reason=event.reason)
         elif isinstance(event, RequestChanged) or (
-            isinstance(event, Stated) and mission.instant != before
+            isinstance(event, Stated) and (mission.instant, mission.state) != before
         ):
             yield _judged(mission, entry.step)
 
