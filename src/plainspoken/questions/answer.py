@@ -53,17 +53,23 @@ def answer_at(question: str | Question, moment: Moment, *, length: Length = Leng
     return draft.finish(asked.kind)
 
 
-def _tell(draft: Draft, question: Question) -> None:
-    answered = True
-    # Where not every fact is known, what is known of one says where it comes from.
+def _told_before_its_kind(draft: Draft, question: Question) -> bool:
+    """Answer what a question is about whatever its kind: where facts come from, who wants what."""
     if draft.moment.facts is not None and asks_how_known(question):
-        tell_how_known(draft, question)
-        return
+        tell_how_known(draft, question)  # not every fact is known: each says where it comes from
+        return True
     if tell_source(draft, question) or tell_change(draft, question):
+        return True
+    if question.other is None:
+        return False
+    _ask_back(draft, question.kind, question.other)
+    return True
+
+
+def _tell(draft: Draft, question: Question) -> None:
+    if _told_before_its_kind(draft, question):
         return
-    if question.other is not None:
-        _ask_back(draft, question.kind, question.other)
-        return
+    answered = True
     match question.kind:
         case Kind.NOW:
             tell_now(draft, question)

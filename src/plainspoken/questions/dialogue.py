@@ -35,6 +35,19 @@ _WHEN = re.compile(
     r"(?: (?:was|is|will|did) (?:that|this|it)(?: be| happen)?)?$"
 )
 _PRONOUN = re.compile(r"\b(?:it|them|they|that one|this one|there|its|he|she|him|her)\b")
+_GENERAL_WORDS = """
+    and but or so ok okay then well what whats what's why how when for from did do does done doing
+    was were is are be been being will would won't can could may might should has have had it its
+    it's that that's this these those them they there not you your i me my the a an of to at in on
+    by about up out off over with come came happen happened happens cause caused causes made make
+    reason reasons purpose point sense good use aim goal bring brought lead led leads many often
+    much times time ever exactly please again go going gone get got forbidden allowed supposed
+    which mean behind
+"""
+_GENERAL = frozenset(_GENERAL_WORDS.split())
+_BACK = re.compile(r"\b(?:it|its|that|this|them|they|there|those|these)\b")
+_OF_SOMETHING = frozenset((Kind.WHY_NOT, Kind.WHY_HAPPENED, Kind.COUNT_HISTORY))
+"""Kinds of questions that are about something, be it left unsaid."""
 _ALSO = re.compile(r"^(?:(?:and|or) )?(?:what about|how about|and|or)\b")
 
 
@@ -83,8 +96,40 @@ def follow_up(question: Question, before: Turn, lexicon: Lexicon) -> Question:
     if _ALSO.match(plain) and question.referents.objects:
         return _same_of_another(question, before.question, lexicon)
     if not question.referents.objects and _PRONOUN.search(plain):
-        return _with_names(question, before, spoken, lexicon)
+        named = _with_names(question, before, spoken, lexicon)
+        if named is not question:
+            return named
+    if bare and _leaves_unsaid(question, plain):
+        return _of_the_same(question, before, spoken, lexicon)
     return question
+
+
+def _leaves_unsaid(question: Question, plain: str) -> bool:
+    """Whether a question names nothing of its own, and is about something: "For what reason?"."""
+    if not _GENERAL.issuperset(plain.split()):
+        return False
+    if question.kind in _OF_SOMETHING:
+        return True
+    if question.kind is Kind.WHY_ACTION:
+        return "now" not in plain.split()
+    return question.kind in (Kind.FUTURE, Kind.CONSTRAINT, Kind.WHEN) and bool(_BACK.search(plain))
+
+
+def _of_the_same(
+    question: Question, before: Turn, spoken: ActionClaim | None, lexicon: Lexicon
+) -> Question:
+    """The question about what the one before was about, or about the action that was told."""
+    asked = before.question
+    if question.kind in (Kind.WHY_ACTION, Kind.WHY_HAPPENED):
+        reason = _why(question, before, spoken, lexicon)
+        if reason is not question:
+            return reason
+    about = asked.referents
+    if not (about.objects or about.actions or about.atoms):
+        if spoken is None:
+            return question
+        about = _about(spoken, question.referents, lexicon)
+    return replace(question, referents=about)
 
 
 def _spoken_of(turn: Turn) -> ActionClaim | None:
