@@ -45,7 +45,7 @@ VOICES = (
     "en-us+m3",
 )
 SPEEDS = (140, 160, 180)
-RATIOS: tuple[int | None, ...] = (None, 20, 10)
+RATIOS: tuple[int | None, ...] = (None, 10, 20)
 LONGEST = 90
 Key = tuple[str, int | None, bool]
 
@@ -228,9 +228,11 @@ def marks(rows: Sequence[dict[str, Any]]) -> str:
     """How well the mark for unclear words tells wrong ones from right ones, told the words."""
     part = [r for r in rows if r["prompted"]]
     total = {name: sum(r[name] for r in part) for name in SUMS}
+    whole = [r["any_unclear"] for r in part if not r["errors"]]
     return (
         f"Told the words, {total['wrong_unclear']} of {total['wrong_heard']} words heard wrong are "
-        f"marked as unclear, and {total['right_unclear']} of {total['right_heard']} heard right."
+        f"marked as unclear, and {total['right_unclear']} of {total['right_heard']} heard right: "
+        f"{sum(whole)} of {len(whole)} texts without any error have such a mark, too."
     )
 
 

@@ -14,12 +14,12 @@ from plainspoken.world.landmark import LandmarkType
 MOST_HINTS = 60
 """A recogniser has room for a few, and hears what was never said when it is told many."""
 MOST_NUMBERED = 2
-"""Of "line 0" to "line 255": the recogniser knows how to count."""
+"""Of "site 0" to "site 255": the recogniser knows how to count."""
 _ORDER = (LandmarkType.LOCATION, LandmarkType.CONDITION, LandmarkType.ACTION)
 
 
 def hints(vocabulary: Vocabulary, most: int = MOST_HINTS) -> tuple[str, ...]:
-    """The words that the domain's names are made of, each once, a noun with its number: "line 2".
+    """The words that the domain's names are made of, each once, a noun with its number: "site 2".
 
     Names of places come first, then of what is the case, then of what is done.
     """
@@ -35,7 +35,7 @@ def hints(vocabulary: Vocabulary, most: int = MOST_HINTS) -> tuple[str, ...]:
                             numbered[noun] = numbered.get(noun, 0) + 1
                         if not number or numbered[noun] <= MOST_NUMBERED:
                             found[hint] = None
-    # "line 2" says "line", too.
+    # "site 2" says "site", too.
     with_numbers = {hint.partition(" ")[0] for hint in found if " " in hint}
     return tuple(hint for hint in found if hint not in with_numbers)[:most]
 
