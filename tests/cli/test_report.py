@@ -92,7 +92,10 @@ def test_a_paused_mission_hears_a_report_and_a_change_and_goes_on_with_both(
     log = events(plainspoken, mission, tmp_path)
     actions = [each["action"] for each in log if each["kind"] == "action_started"]
     assert actions == ["move rob l0 l1", "move rob l1 l2", "sign-off rob l2"]
-    assert [each["text"] for each in log if each["kind"] == "request_changed"] == ["skip line 3"]
+    (changed,) = [each for each in log if each["kind"] == "request_changed"]
+    assert changed["text"] == "skip line 3"
+    (listed,) = json.loads(plainspoken("missions", "--json").stdout)
+    assert listed["request"] == changed["english"] != ""
     why = plainspoken("ask", "Why aren't you doing line 3?").stdout
     assert "Because Bea told me at " in why
 

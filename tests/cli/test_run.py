@@ -42,6 +42,26 @@ def test_a_fault_that_does_not_exist_is_named_with_those_that_do() -> None:
     assert "failing, hanging" in done.stderr
 
 
+def test_a_run_whose_output_nobody_reads_any_more_is_paused_without_a_word() -> None:
+    command = [sys.executable, "-m", "plainspoken"]
+    with subprocess.Popen(
+        [*command, "run", "--say", "Clear line 2", "--pace", "0.02", "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as running:
+        assert running.stdout is not None
+        assert running.stderr is not None
+        running.stdout.readline()
+        running.stdout.close()
+        said = running.stderr.read()
+    assert "Traceback" not in said, said
+    listed = subprocess.run([*command, "missions", "--json"], capture_output=True, check=True)
+    (mission,) = json.loads(listed.stdout)
+    assert mission["status"] == "paused"
+    assert mission["worker"] is None
+
+
 def test_verdicts_tells_how_the_request_stands_after_each_instant(tmp_path: Path) -> None:
     log = tmp_path / "run.jsonl"
     assert run("--log", str(log)).returncode == 0

@@ -72,13 +72,17 @@ def going_on(
 def watched(shift: Shift, held: Held, events: Run, site: Site, *, as_json: bool) -> Mission:
     """Show a run to its end, and hand the mission back as it stands then.
 
-    Ctrl-C where the mission itself does not hear it pauses it, too.
+    Ctrl-C where the mission itself does not hear it pauses it, too, and so does a closed pipe.
     """
     try:
         mission = _shown(events, site, as_json=as_json)
     except KeyboardInterrupt:
         events.close()
         mission = mission_from(held.entries())
+    except (OSError, SystemExit):  # nobody reads what is printed any more: it is paused
+        events.close()
+        shift.hand_back(held, standing_of(mission_from(held.entries())))
+        raise
     shift.hand_back(held, standing_of(mission))
     return mission
 

@@ -28,7 +28,7 @@ from plainspoken.mission.mission import mission_from
 from plainspoken.mission.observation import CancelAsked, PauseAsked, ResumeAsked
 from plainspoken.pipeline import accepted_of, site_of
 from plainspoken.work.shift import Shift, robots_of
-from plainspoken.world.event import Entry
+from plainspoken.world.event import Entry, RequestChanged
 
 BY = "command line"
 
@@ -72,12 +72,21 @@ def _summary(entries: Sequence[Entry], place: Place | None) -> dict[str, Any]:
         "over": mission.is_over,
         "instant": mission.instant,
         "satisfied": mission.satisfied,
-        "request": accepted.sentence or accepted.goal,
+        "request": _request(entries),
         "robots": list(robots_of(accepted)),
         "part_of": accepted.robot.get("part_of"),
         "worker": place.worker if place else None,
         "trouble": place.trouble if place else None,
     }
+
+
+def _request(entries: Sequence[Entry]) -> str:
+    """What the mission is about by now, as it was said or, after a change of mind, said back."""
+    for entry in reversed(entries):
+        if isinstance(entry.event, RequestChanged) and entry.event.english:
+            return entry.event.english
+    accepted = accepted_of(entries)
+    return accepted.sentence or accepted.goal
 
 
 @missions.command()

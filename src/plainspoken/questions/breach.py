@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from plainspoken.automata.verdict import Verdict
 from plainspoken.logic.syntax import parse
@@ -12,7 +12,8 @@ from plainspoken.questions.demand import Demand
 from plainspoken.questions.moment import Moment
 from plainspoken.questions.morphology import listed
 from plainspoken.questions.wish import standing, wish_of
-from plainspoken.world.event import Instant
+from plainspoken.world.domain import GroundAtom
+from plainspoken.world.event import Instant, ObservationMade, ReportReceived, Step
 
 
 def broken_at(moment: Moment, demand: Demand) -> Instant | None:
@@ -62,6 +63,13 @@ def _cause(draft: Draft, at: Instant) -> str:
     """`when I moved to line 1`, with the entry that says so as evidence."""
     moment = draft.moment
     draft.evidence.add(moment.steps[at])
+    found = _found_out(moment, at)
+    if found is not None:
+        step, event = found
+        draft.evidence.add(step)
+        if isinstance(event, ReportReceived):
+            return f"when {event.reporter} reported “{event.text}”"
+        return f"when it was seen that {_in_words(moment, event.added, event.deleted)}"
     if at == 0:
         return "as things were at the start"
     action = moment.actions[at]
@@ -73,7 +81,25 @@ def _cause(draft: Draft, at: Instant) -> str:
     if report is not None:
         return f"when {report.reporter} reported “{report.text}”"
     before, after = moment.states[at - 1], moment.states[at]
+    return f"when it was seen that {_in_words(moment, after - before, before - after)}"
+
+
+def _found_out(moment: Moment, at: Instant) -> tuple[Step, ObservationMade | ReportReceived] | None:
+    """The last entry by which an instant turned out to be other than it was taken to be."""
+    for entry in reversed(moment.entries):
+        event = entry.event
+        if (
+            entry.instant == at
+            and entry.step > moment.steps[at]
+            and isinstance(event, ObservationMade | ReportReceived)
+            and (event.added or event.deleted)
+        ):
+            return entry.step, event
+    return None
+
+
+def _in_words(moment: Moment, added: Iterable[GroundAtom], deleted: Iterable[GroundAtom]) -> str:
     lexicon = moment.lexicon
-    changed = [lexicon.clause(atom).said() for atom in sorted(after - before)]
-    changed += [lexicon.clause(atom).said(negative=True) for atom in sorted(before - after)]
-    return f"when it was seen that {listed(changed)}"
+    changed = [lexicon.clause(atom).said() for atom in sorted(added)]
+    changed += [lexicon.clause(atom).said(negative=True) for atom in sorted(deleted)]
+    return listed(changed)

@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from plainspoken.automata.verdict import Part, Verdict
 from plainspoken.planning.policy import NodeId, Policy, PolicyNode
+from plainspoken.questions.breach import tell_breach
 from plainspoken.questions.claim import ActionClaim, Draft
 from plainspoken.questions.foresight import Foresight
 from plainspoken.questions.moment import Moment
@@ -287,6 +288,9 @@ def _say_not_doing(draft: Draft, question: Question) -> None:
     asked = question.referents
     if moment.ended is not None and not (asked.actions or asked.objects):
         draft.say("I'm not doing anything any more: the mission is over")
+        if moment.ended.outcome == "stopped" and moment.ended.reason:
+            draft.say(f"I've stopped because {moment.ended.reason}")
+            tell_breach(draft, moment.demands)
     elif question.referents.actions or question.referents.objects:
         draft.known = False
         draft.say("I haven't done that, and it's not in my plan")
