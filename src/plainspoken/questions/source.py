@@ -52,7 +52,7 @@ def tell_source(draft: Draft, question: Question) -> bool:
         return _tell_change(draft, about.objects)
     if _REPORTS.search(plain):
         return _tell_reports(draft, plain)
-    if _WHO_DID.search(plain) and question.kind in (Kind.STATE, Kind.PAST):
+    if _WHO_DID.search(plain) and question.kind in (Kind.STATE, Kind.PAST, Kind.WHY_HAPPENED):
         return _tell_who(draft, question)
     return False
 
