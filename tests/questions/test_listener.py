@@ -34,6 +34,11 @@ def test_names_are_heard_as_things_and_places(words: Lexicon) -> None:
     assert said[4].roles == said[7].roles == {Role.NAMED}
 
 
+def test_a_number_that_there_is_not_is_heard_as_a_thing(words: Lexicon) -> None:
+    assert [each.word for each in spoken("Is line 9 cleared?", words)][1:3] == ["the", "thing"]
+    assert question_of("Is line 9 cleared?", words).referents.objects == ()
+
+
 def test_what_a_thing_is_called_changes_no_chance(words: Lexicon) -> None:
     one, other = (
         listener().hear(spoken(text, words), grammar_of(text, words)[1])

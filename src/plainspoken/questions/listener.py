@@ -14,7 +14,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import as_file, files
 from itertools import combinations
 
@@ -60,6 +60,12 @@ class Listener:
         scores = scores + meaning_of(said) @ self.meaning + self.bias
         chances = np.exp(scores - scores.max())
         return dict(zip(KINDS, map(float, chances / chances.sum()), strict=True))
+
+
+@lru_cache(maxsize=4096)
+def heard(said: tuple[Spoken, ...], shape: Shape) -> Mapping[Kind, float]:
+    """What the listener that comes with the package makes of a text; one is often asked again."""
+    return listener().hear(said, shape)
 
 
 def meaning_of(said: Sequence[Spoken]) -> Array:

@@ -15,7 +15,7 @@ from plainspoken.questions.grammar import Shape, shape_of
 from plainspoken.questions.intent import kind_of
 from plainspoken.questions.kind import Kind
 from plainspoken.questions.lexicon import Lexicon
-from plainspoken.questions.listener import listener
+from plainspoken.questions.listener import heard
 from plainspoken.questions.referent import Referents, first_words, referents_of
 from plainspoken.questions.spelling import normal
 from plainspoken.questions.spoken import spoken
@@ -114,7 +114,7 @@ def question_of(text: str, lexicon: Lexicon) -> Question:
     referents = referents_of(normal(text), lexicon)
     plain, shape = grammar_of(text, lexicon)
     ruled = kind_of(shape, referents, plain)
-    found = settled(ruled, listener().hear(spoken(text, lexicon), shape))
+    found = settled(ruled, heard(spoken(text, lexicon), shape))
     kind = found.kind
     if referents.visits and kind in _ABOUT_PLACES and not _other_deeds(referents):
         goes = referents.visits if referents.actions else referents.atoms or referents.visits

@@ -70,7 +70,9 @@ def _clause(plain: str, index: Index, lexicon: Lexicon) -> list[Spoken]:
             continue
         if not (found and found[-1].word in _BEFORE_A_NAME):
             found.append(Spoken("the"))
-        found.append(Spoken(_stand_in(names[0], index, lexicon), frozenset({Role.NAMED})))
+        # "Line 9" names nothing where there are four, and is said of a line all the same.
+        word = _stand_in(names[0], index, lexicon) if names else "thing"
+        found.append(Spoken(word, frozenset({Role.NAMED})))
     return found + _words(plain[end:], index)
 
 
