@@ -96,7 +96,7 @@ def test_our_claims_are_sound_at_every_instant(kitchen: tuple[Site, Policy]) -> 
 def test_every_question_of_the_experiment_is_of_its_category(kitchen: tuple[Site, Policy]) -> None:
     accepted = next(situations("kitchen", *kitchen, runs=1, seed=0)).entries[0].event
     assert isinstance(accepted, MissionAccepted)
-    kinds = {Category.PRESENT: {"now", "state"}, Category.PAST: {"past"}}
+    kinds = {Category.PRESENT: {"now", "state", "progress"}, Category.PAST: {"past"}}
     for category, questions in QUESTIONS.items():
         for text in questions:
             kind = question_of(text, lexicon_of(accepted)).kind

