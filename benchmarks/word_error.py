@@ -45,7 +45,7 @@ VOICES = (
     "en-us+m3",
 )
 SPEEDS = (140, 160, 180)
-RATIOS: tuple[int | None, ...] = (None, 10, 20)
+RATIOS: tuple[int | None, ...] = (None, 20, 10)
 LONGEST = 90
 Key = tuple[str, int | None, bool]
 

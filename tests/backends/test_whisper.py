@@ -12,7 +12,7 @@ from tests.language.harbour import HARBOUR
 
 from plainspoken.backends import whisper
 from plainspoken.backends.espeak import PROGRAM, Espeak
-from plainspoken.backends.whisper import PARTS, Whisper, prompt, weights_in
+from plainspoken.backends.whisper import PARTS, Whisper, prompt, was_sayable, weights_in
 from plainspoken.language.hint import hints
 from plainspoken.language.recording import MOST_SECONDS, read_wav
 from plainspoken.language.transcription import (
@@ -123,3 +123,9 @@ def test_the_prompt_is_a_sentence_with_the_words_of_the_domain() -> None:
     assert said is not None
     assert said.endswith("quay, dock.")
     assert prompt([]) is None
+
+
+def test_a_piece_that_nobody_can_have_said_so_fast_is_told_from_quick_speech() -> None:
+    assert not was_sayable(57, 0.6), "I'm sorry, I'm sorry, I'm sorry, ..."
+    assert was_sayable(17, 3.5)
+    assert was_sayable(1, 0.0), "the times of one word are rough"

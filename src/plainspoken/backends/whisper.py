@@ -34,6 +34,10 @@ _NO_SPEECH = 0.4
 _UNSURE = -0.7
 """A piece with more of the one and less of the other is left out: the "Thank you very much." that
 Whisper adds when somebody has ended. Its own limits, 0.6 and -1, let half of those pass."""
+MOST_WORDS_A_SECOND = 8
+"""Nobody speaks faster; a piece that does is Whisper going round in circles in a moment's noise."""
+_FEWEST_TO_COUNT = 8
+"""Words of a piece, below which its times are too rough to tell how fast it was."""
 _MOST_TOKENS = 150
 """In half a minute: more than anybody says, and an end to going round in circles."""
 _FILES = ("config.json", "tokenizer.json")
@@ -117,9 +121,15 @@ class Whisper:
                 word.probability if segment.compression_ratio <= REPETITIVE else 0.0,
             )
             for segment in segments
+            if was_sayable(len(segment.words or ()), segment.end - segment.start)
             for word in segment.words or ()
             if word.word.strip()
         ]
+
+
+def was_sayable(words: int, seconds: float) -> bool:
+    """Whether somebody can have said so many words in the time."""
+    return words < _FEWEST_TO_COUNT or words <= MOST_WORDS_A_SECOND * seconds
 
 
 def prompt(hints: Sequence[str]) -> str | None:
