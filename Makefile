@@ -28,8 +28,9 @@ demo: .venv/run.stamp ## the whole story on the bundled vineyard: no network aft
 serve: .venv/web.stamp ## the page, with a mission in the vineyard that waits to be played
 	@$(BIN)/plainspoken serve --demo
 
+# As many tests go on at once as there are cores; threads of their own would only wait for each other.
 test: .venv/dev.stamp ## every test
-	@$(BIN)/pytest -n auto
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n auto
 
 llm: .venv/llm.stamp ## add language models and a small local one, so that `test` asks it, too
 
