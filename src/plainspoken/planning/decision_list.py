@@ -204,7 +204,7 @@ def _explaining(test: Test, action: GroundAction | None) -> int:
     """How well a fact explains an action: best one true of the action's own objects."""
     fact, true = test
     if fact.startswith(_MEMORY):
-        return 3 if true else 9
+        return 3
     about = set(fact.split()[1:])
     own = set((action or "").split()[1:])
     return (0 if about and about <= own else 1) + (0 if true else 2)
@@ -264,7 +264,11 @@ def _grown(
     seed = own & -own
     covered = left
     tests: list[Test] = []
-    possible: list[Test] = [(fact, bool(mask & seed)) for fact, mask in table.facts.items()]
+    possible: list[Test] = [
+        (fact, bool(mask & seed))
+        for fact, mask in table.facts.items()
+        if mask & seed or not fact.startswith(_MEMORY)  # a rule asks for a memory, not for others
+    ]
     ranks = {test: rank(test, label) for test in possible}
     while covered & ~own:
         best: tuple[float, int, Test] | None = None

@@ -103,6 +103,9 @@ def _tell(draft: Draft, question: Question) -> None:
             if not answered and (question.referents.actions or question.referents.objects):
                 tell_why(draft, question)
                 answered = True
+            elif not answered and draft.moment.ended is not None:
+                tell_now(draft, question)  # "How did it end?"
+                answered = True
         case Kind.WHAT_IF:
             answered = tell_what_if(draft, question)
         case Kind.REPORT:
